@@ -1,0 +1,87 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_JunctionSet_h
+#define TissueTessellationCore_JunctionSet_h
+
+#include "TissueTessellationCore/Types.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex. */
+struct Cell
+{
+  Label label = 0;
+  /** Barycentre of the cell's largest face-connected piece; meaningless for the exterior. */
+  Point center = { { 0.0, 0.0, 0.0 } };
+  /** Volume of all of the cell's voxels, in cubed physical units. */
+  double volume = 0.0;
+  /** Voxels of all of the cell's pieces. */
+  std::int64_t numberOfVoxels = 0;
+  /** Voxels outside the largest face-connected piece. */
+  std::int64_t numberOfStrayVoxels = 0;
+  /** Face-connected pieces; 1 for a sound cell. */
+  std::int32_t numberOfPieces = 1;
+  /** A voxel of the cell shares a face with the exterior label or with the outside of the image. */
+  bool touchesExterior = false;
+  /** A voxel of the cell lies on the border of the image: the cell may be cut there. */
+  bool touchesBorder = false;
+};
+
+/** The interface of two cells: all voxel faces between them. */
+struct Wall
+{
+  /** Ascending; the exterior, being vertex 0, comes first. */
+  VertexPair cells = { { 0, 0 } };
+  std::int64_t numberOfFaces = 0;
+  /** Sum of the areas of the faces (a staircase estimate), in squared physical units. */
+  double area = 0.0;
+  /** Area-weighted mean of the faces' centres. */
+  Point center = { { 0.0, 0.0, 0.0 } };
+};
+
+/** The line where three cells meet: the 2x2x2 blocks of voxels that hold all three labels. */
+struct TripleLine
+{
+  VertexTriple cells = { { 0, 0, 0 } };
+  std::int64_t numberOfBlocks = 0;
+};
+
+/** The point where four cells meet: the 2x2x2 blocks of voxels that hold all four labels. */
+struct Junction
+{
+  VertexQuadruple cells = { { 0, 0, 0, 0 } };
+  /** All blocks that hold the four labels. */
+  std::int64_t numberOfBlocks = 0;
+  /** Blocks that hold these four labels and no other. */
+  std::int64_t numberOfExactBlocks = 0;
+  /** Mean of the blocks' centres over the largest cluster of blocks (Chebyshev distance of neighbours at most 2), the
+   * cluster of the first block in raster order where several are as large. */
+  Point position = { { 0.0, 0.0, 0.0 } };
+  /** Clusters of the blocks: above one, the four cells meet at several places. */
+  std::int32_t numberOfClusters = 1;
+};
+
+/** \brief Everything the topological optimization takes from a label image (paper, section 3.4).
+ *
+ * The vertices of the adjacency complex are the indices of `cells`: the exterior first, then the cells in ascending
+ * order of their labels. All other lists are sorted by `cells` and hold each tuple once, the tuples in ascending order.
+ * The outside of the image counts as exterior, so a wall of a cell cut by the border is a wall to the exterior.
+ * A block of more than four labels counts for each of its subsets of three and of four. */
+struct JunctionSet
+{
+  std::vector<Cell>       cells;
+  std::vector<Wall>       walls;
+  std::vector<TripleLine> tripleLines;
+  std::vector<Junction>   junctions;
+  /** 2x2x2 blocks with more than four labels. */
+  std::int64_t numberOfCrowdedBlocks = 0;
+};
+} // namespace tissue
+
+#endif

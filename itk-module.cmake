@@ -1,0 +1,21 @@
+set(DOCUMENTATION
+  "Topologically accurate triangular meshes of all cell walls of a living tissue,
+from a segmented 3-D image or a nuclei stain: an adjacency complex of the cells is
+optimized by local topological operations and dualized.")
+
+# Applications, benchmarks and tests need VTK as well; the filters do not.
+itk_module(TissueTessellation
+  ENABLE_SHARED
+  DEPENDS
+    ITKCommon
+    ITKMesh
+    ITKImageGrid
+    ITKDistanceMap
+    ITKBinaryMathematicalMorphology
+    ITKSmoothing
+  TEST_DEPENDS
+    ITKTestKernel
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+  EXCLUDE_FROM_DEFAULT
+)
