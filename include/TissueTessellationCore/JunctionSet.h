@@ -37,7 +37,7 @@ struct Cell
 struct Wall
 {
   /** Ascending; the exterior, being vertex 0, comes first. */
-  VertexPair cells = { { 0, 0 } };
+  VertexPair   cells = { { 0, 0 } };
   std::int64_t numberOfFaces = 0;
   /** Sum of the areas of the faces (a staircase estimate), in squared physical units. */
   double area = 0.0;

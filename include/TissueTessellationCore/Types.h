@@ -21,7 +21,8 @@ using Label = std::int64_t;
 /** Index of a vertex of the adjacency complex, that is of a cell of the tissue. */
 using VertexId = std::int32_t;
 
-/** The exterior of the tissue is a vertex like the others, but for its position, which it has not (paper, section 3.3). */
+/** The exterior of the tissue is a vertex like the others, but for its position, which it has not (paper, section 3.3).
+ */
 constexpr VertexId ExteriorVertex = 0;
 
 /** Position or vector, in the units and axes of the image's physical space. */
