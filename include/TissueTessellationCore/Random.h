@@ -1,0 +1,43 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_Random_h
+#define TissueTessellationCore_Random_h
+
+#include <cstdint>
+#include <random>
+
+namespace tissue
+{
+/** \brief A seeded stream of random numbers, the same on every platform: the distributions of the standard library are
+ * not, its engines are. */
+class Random
+{
+public:
+  explicit Random(std::uint64_t seed)
+    : m_Engine(seed)
+  {}
+
+  /** Uniform in [0, 1). */
+  double
+  Uniform()
+  {
+    return static_cast<double>(m_Engine() >> 11) * (1.0 / 9007199254740992.0);
+  }
+
+  /** Uniform in 0 .. bound - 1, up to a bias below bound / 2^53; `bound` must be above 0. */
+  std::size_t
+  Index(std::size_t bound)
+  {
+    return static_cast<std::size_t>(Uniform() * static_cast<double>(bound));
+  }
+
+private:
+  std::mt19937_64 m_Engine;
+};
+} // namespace tissue
+
+#endif

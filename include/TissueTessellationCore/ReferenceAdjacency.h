@@ -1,0 +1,72 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_ReferenceAdjacency_h
+#define TissueTessellationCore_ReferenceAdjacency_h
+
+#include "TissueTessellationCore/AdjacencyComplex.h"
+#include "TissueTessellationCore/JunctionSet.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** \brief The adjacencies that an image shows, as sets to ask: E_S, the pairs of cells that share a wall, and T_S, the
+ * quadruples of cells that meet at a point (paper, sections 3.4 and 4.1). The exterior counts as a cell. */
+class ReferenceAdjacency
+{
+public:
+  explicit ReferenceAdjacency(const JunctionSet & junctions);
+
+  bool
+  HasPair(VertexId u, VertexId v) const;
+
+  /** Vertices in any order. */
+  bool
+  HasQuadruple(const VertexQuadruple & vertices) const;
+
+  std::size_t
+  NumberOfPairs() const
+  {
+    return m_Smaller.size();
+  }
+
+  std::size_t
+  NumberOfQuadruples() const
+  {
+    return m_Others.size();
+  }
+
+private:
+  /** Compressed rows: the row of a vertex holds the tuples of which it is the largest, by the others. */
+  std::vector<std::size_t>  m_PairRows;
+  std::vector<VertexId>     m_Smaller;
+  std::vector<std::size_t>  m_QuadrupleRows;
+  std::vector<VertexTriple> m_Others;
+};
+
+/** Jaccard indices of the complex and an image (paper, section 4.1). */
+struct AdjacencyOverlap
+{
+  /** |E_T & E_S| / |E_T | E_S|, in 0 .. 1. */
+  double adjacency2 = 0.0;
+  /** |T_T & T_S| / |T_T | T_S|, in 0 .. 1. */
+  double adjacency4 = 0.0;
+};
+
+AdjacencyOverlap
+ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
+
+/** |A & B| / |A | B| from the sizes of A, B and A & B; 0 where both sets are empty. */
+inline double
+Jaccard(std::size_t common, std::size_t first, std::size_t second)
+{
+  const std::size_t all = first + second - common;
+  return all > 0 ? static_cast<double>(common) / static_cast<double>(all) : 0.0;
+}
+} // namespace tissue
+
+#endif

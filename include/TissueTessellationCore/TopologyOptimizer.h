@@ -1,0 +1,101 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TopologyOptimizer_h
+#define TissueTessellationCore_TopologyOptimizer_h
+
+#include "TissueTessellationCore/EnergyFunction.h"
+#include "TissueTessellationCore/LocalOperations.h"
+#include "TissueTessellationCore/Progress.h"
+#include "TissueTessellationCore/Random.h"
+
+namespace tissue
+{
+/** How the ring of a removed edge is triangulated. */
+enum class RingRule
+{
+  /** By the Delaunay triangulation of its projection (paper, section 3.2). */
+  ProjectedDelaunay,
+  /** By the triangulation that makes most quadruples of the reference; where there is no reference, as above. */
+  BestOfReference
+};
+
+struct AnnealingParameters
+{
+  int numberOfCycles = 5;
+  /** Temperature of the first cycle, in units of what one element more or less changes: with a reference, the energy of
+   * one quadruple. Above 0. */
+  double initialTemperature = 0.3;
+  /** Factor of the temperature from a cycle to the next; in (0, 1]. */
+  double   coolingFactor = 0.5;
+  Legality legality = Legality::Geometric;
+  RingRule ringRule = RingRule::ProjectedDelaunay;
+  /** Largest degree of an edge that is removed. */
+  std::int32_t  maximumDegree = 1000;
+  std::uint64_t seed = 1;
+};
+
+/** What happened in one temperature cycle. */
+struct AnnealingCycle
+{
+  double      temperature = 0.0;
+  std::size_t numberOfRemovals = 0;
+  std::size_t numberOfSwaps = 0;
+  /** Energy at the end of the cycle. */
+  double energy = 0.0;
+};
+
+/** \brief Minimizes the energy of a complex by simulated annealing (paper, section 3.4).
+ *
+ * Each temperature cycle has two phases, edge removals and triangle swaps. In a phase the legal operations are ranked
+ * by their energy difference, ascending, and carried out in that order where they are still legal, at their difference
+ * at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
+ *
+ * The complex ends in the state of least energy seen at the end of a cycle, or at the start. The same input, parameters
+ * and seed give the same result. */
+class TopologyOptimizer
+{
+public:
+  /** References must outlive this object; `reference` may be null.
+   * \throws std::invalid_argument where a parameter is out of its range. */
+  TopologyOptimizer(AdjacencyComplex & complex, const std::vector<Point> & centers,
+                    const ReferenceAdjacency * reference, const EnergyParameters & energy,
+                    const AnnealingParameters & annealing);
+
+  /** \throws Aborted where `progress` asks to stop; the complex is then valid, but not yet optimal. */
+  std::vector<AnnealingCycle>
+  Run(const ProgressFunction & progress = ProgressFunction());
+
+private:
+  struct Candidate;
+
+  Proposal
+  ProposeRemoval(VertexPair edge) const;
+
+  std::size_t
+  RemoveEdges(double temperature);
+
+  std::size_t
+  SwapTriangles(double temperature);
+
+  /** Carries out a legal proposal if the temperature lets it. */
+  bool
+  Try(const Proposal & proposal, double temperature);
+
+  double
+  OneElement() const;
+
+  AdjacencyComplex &         m_Complex;
+  const ReferenceAdjacency * m_Reference;
+  EnergyParameters           m_EnergyParameters;
+  AnnealingParameters        m_Annealing;
+  LocalOperations            m_Operations;
+  EnergyFunction             m_Energy;
+  Random                     m_Random;
+};
+} // namespace tissue
+
+#endif

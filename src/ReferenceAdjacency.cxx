@@ -1,0 +1,86 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/ReferenceAdjacency.h"
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace
+{
+/** Begins of rows, one for each vertex and one past the last, from the row of each entry. */
+template <typename TTuples, typename TRow>
+std::vector<std::size_t>
+CountRows(std::size_t numberOfRows, const TTuples & tuples, const TRow & rowOf)
+{
+  std::vector<std::size_t> begins(numberOfRows + 1, 0);
+  for (const auto & tuple : tuples)
+  {
+    ++begins[rowOf(tuple) + 1];
+  }
+  for (std::size_t row = 0; row < numberOfRows; ++row)
+  {
+    begins[row + 1] += begins[row];
+  }
+  return begins;
+}
+} // namespace
+
+ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
+{
+  const std::size_t n = junctions.cells.size();
+  m_PairRows = CountRows(n, junctions.walls, [](const Wall & wall) { return static_cast<std::size_t>(wall.cells[1]); });
+  m_Smaller.resize(junctions.walls.size());
+  std::vector<std::size_t> next(m_PairRows.begin(), m_PairRows.end() - 1);
+  for (const Wall & wall : junctions.walls)
+  {
+    m_Smaller[next[wall.cells[1]]++] = wall.cells[0];
+  }
+
+  const auto last = [](const Junction & junction) { return static_cast<std::size_t>(junction.cells[3]); };
+  m_QuadrupleRows = CountRows(n, junctions.junctions, last);
+  m_Others.resize(junctions.junctions.size());
+  next.assign(m_QuadrupleRows.begin(), m_QuadrupleRows.end() - 1);
+  for (const Junction & junction : junctions.junctions)
+  {
+    m_Others[next[last(junction)]++] = { { junction.cells[0], junction.cells[1], junction.cells[2] } };
+  }
+}
+
+bool
+ReferenceAdjacency::HasPair(VertexId u, VertexId v) const
+{
+  const VertexId row = std::max(u, v);
+  const auto     begin = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row]);
+  const auto     end = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row + 1]);
+  return std::find(begin, end, std::min(u, v)) != end;
+}
+
+bool
+ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
+{
+  VertexQuadruple key = vertices;
+  std::sort(key.begin(), key.end());
+  const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3]]);
+  const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3] + 1]);
+  return std::find(begin, end, VertexTriple{ { key[0], key[1], key[2] } }) != end;
+}
+
+AdjacencyOverlap
+ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
+{
+  const auto edges = complex.GetEdges();
+  const auto tetrahedra = complex.GetTetrahedra();
+  const auto commonPairs = std::count_if(edges.begin(), edges.end(), [&](const AdjacencyComplex::Edge & edge) {
+    return reference.HasPair(edge.vertices[0], edge.vertices[1]);
+  });
+  const auto commonQuadruples = std::count_if(
+    tetrahedra.begin(), tetrahedra.end(), [&](const VertexQuadruple & t) { return reference.HasQuadruple(t); });
+  return { Jaccard(static_cast<std::size_t>(commonPairs), edges.size(), reference.NumberOfPairs()),
+           Jaccard(static_cast<std::size_t>(commonQuadruples), tetrahedra.size(), reference.NumberOfQuadruples()) };
+}
+} // namespace tissue
