@@ -210,6 +210,22 @@ AdjacencyComplex::GetTetrahedra() const
   return tetrahedra;
 }
 
+std::vector<std::int32_t>
+AdjacencyComplex::GetTetrahedronRanks() const
+{
+  const std::vector<VertexQuadruple> tetrahedra = GetTetrahedra();
+  std::vector<std::int32_t>          ranks(m_Tetrahedra.size(), -1);
+  for (TetrahedronId id = 0; id < TetrahedronIdBound(); ++id)
+  {
+    if (IsAlive(id))
+    {
+      const auto at = std::lower_bound(tetrahedra.begin(), tetrahedra.end(), Canonical(m_Tetrahedra[id].vertices));
+      ranks[id] = static_cast<std::int32_t>(at - tetrahedra.begin());
+    }
+  }
+  return ranks;
+}
+
 void
 AdjacencyComplex::CountEdges(const VertexQuadruple & vertices, TetrahedronId id, int change)
 {

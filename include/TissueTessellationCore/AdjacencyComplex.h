@@ -122,6 +122,10 @@ public:
   std::vector<VertexQuadruple>
   GetTetrahedra() const;
 
+  /** Of each tetrahedron id, its index in GetTetrahedra(); -1 of an id that is not taken. */
+  std::vector<std::int32_t>
+  GetTetrahedronRanks() const;
+
   /** Carries out the replacement and returns its inverse.
    * \throws std::logic_error where removed and created tetrahedra have not the same boundary; nothing is changed. */
   Replacement

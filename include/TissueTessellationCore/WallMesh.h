@@ -16,6 +16,11 @@ namespace tissue
 using PointId = std::int32_t;
 using WallId = std::int32_t;
 
+/** Numbers of cells, the exterior counted, that meet at a point of a wall mesh. */
+constexpr std::uint8_t CellsWithinWall = 2;
+constexpr std::uint8_t CellsOnLine = 3;
+constexpr std::uint8_t CellsAtCorner = 4;
+
 /** \brief A triangular mesh of all walls of a tissue, each wall once, shared by its two cells.
  *
  * - Every triangle belongs to one wall, and every wall separates two cells, or a cell and the exterior.
@@ -32,7 +37,7 @@ struct WallMesh
   };
 
   std::vector<Point> points;
-  /** Cells that meet at each point, the exterior counted: 2 within a wall, 3 on a triple line, 4 at a junction. */
+  /** Cells that meet at each point: CellsWithinWall, CellsOnLine (a triple line) or CellsAtCorner (a junction). */
   std::vector<std::uint8_t> numberOfCells;
   /** Point indices. */
   std::vector<std::array<PointId, 3>> triangles;
