@@ -1,0 +1,64 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_CellRemark_h
+#define TissueTessellationCore_CellRemark_h
+
+#include "TissueTessellationCore/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace tissue
+{
+class AdjacencyComplex;
+struct JunctionSet;
+
+/** What a user should know of one cell: what the image, not the method, made special or impossible. */
+enum class Remark
+{
+  /** The cell has stray pieces; only its largest piece gives its centre. Value: voxels in the others. */
+  SeveralPieces,
+  /** The border of the image may cut the cell. */
+  CutByBorder,
+  /** The cell has one neighbour in the image: it is enclosed in it. It has false walls in the mesh, as every cell of an
+   * adjacency complex has at least four neighbours. Value: the neighbour's label. */
+  Enclosed,
+  /** The cell touches no other cell in the image, only the exterior. */
+  Separated,
+  /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
+  CenterMoved,
+  /** The cell touches the exterior in the image, but not in the mesh. */
+  ExteriorLost,
+  /** The cell touches the exterior in the mesh, but not in the image. */
+  ExteriorGained,
+  /** Value: the number of the cell's walls in the image that are not in the mesh. */
+  WallsLost,
+  /** Value: the number of the cell's walls in the mesh that are not in the image. */
+  WallsGained
+};
+
+struct CellRemark
+{
+  VertexId cell;
+  Remark   remark;
+  double   value;
+};
+
+/** One word, stable, for reports: "severalPieces" and so on. */
+const char *
+ToString(Remark remark);
+
+/** A sentence for a person, without the cell's label. */
+std::string
+Describe(const CellRemark & remark);
+
+/** All remarks that follow from the image and the final complex, ascending by cell, then by kind. */
+std::vector<CellRemark>
+CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions);
+} // namespace tissue
+
+#endif

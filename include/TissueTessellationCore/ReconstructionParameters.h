@@ -1,0 +1,48 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_ReconstructionParameters_h
+#define TissueTessellationCore_ReconstructionParameters_h
+
+#include "TissueTessellationCore/CellCorners.h"
+#include "TissueTessellationCore/TopologyOptimizer.h"
+
+namespace tissue
+{
+/** \brief All that can be chosen between a JunctionSet and its wall mesh. A default-constructed object is the preset
+ * for label images, PaperPreset() the paper's method to the letter. */
+struct ReconstructionParameters
+{
+  /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
+   */
+  double maximumEdgeLength = 0.0;
+  double maximumEdgeLengthFactor = 1.2;
+  /** See SurfaceCleanUpParameters::guidedByReference. */
+  bool guidedCleanUp = true;
+
+  EnergyParameters    energy;
+  AnnealingParameters annealing;
+
+  CornerRule corners = CornerRule::ImageJunction;
+  /** Times that every triangle of the stars is split in four; 0 .. 3. */
+  int refinement = 1;
+  /** Iterations of the smoothing; 0 or more. */
+  int smoothingIterations = 10;
+
+  ReconstructionParameters();
+
+  /** Sections 3 and 4 of the paper: clean-up by length alone, geometric legality, projected Delaunay rings, the energy
+   * of three terms at the paper's weights, corners from the cell centres. */
+  static ReconstructionParameters
+  PaperPreset();
+
+  /** \throws std::invalid_argument that names the parameter, its value and its range. */
+  void
+  Check() const;
+};
+} // namespace tissue
+
+#endif

@@ -1,0 +1,58 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TissueReconstruction_h
+#define TissueTessellationCore_TissueReconstruction_h
+
+#include "TissueTessellationCore/CellRemark.h"
+#include "TissueTessellationCore/ComplexStatistics.h"
+#include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/ReconstructionParameters.h"
+#include "TissueTessellationCore/SurfaceCleanUp.h"
+#include "TissueTessellationCore/WallMesh.h"
+
+namespace tissue
+{
+/** A stage of the complex, as in the rows of the paper's Table 1. */
+struct ReconstructionStage
+{
+  ComplexStatistics statistics;
+  /** Wall-clock time that led to it from the stage before. */
+  double seconds = 0.0;
+};
+
+/** \brief What ReconstructTissue() made: the complex, its dual, and how it went. Vertices are indices of the cells of
+ * the JunctionSet it was made from. */
+struct TissueReconstruction
+{
+  std::vector<VertexQuadruple> tetrahedra;
+  WallMesh                     walls;
+
+  ReconstructionStage delaunay;
+  ReconstructionStage cleaned;
+  ReconstructionStage optimized;
+  double              dualSeconds = 0.0;
+
+  /** The l_max that was used. */
+  double                      maximumEdgeLength = 0.0;
+  SurfaceCleanUpResult        cleanUp;
+  std::vector<AnnealingCycle> cycles;
+  std::vector<CellRemark>     remarks;
+};
+
+/** \brief From the junctions of a label image to the mesh of its cell walls (paper, sections 3 and 4.2):
+ * Delaunay, clean-up, optimization, dual.
+ *
+ * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. Cells with the same
+ * centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. \throws
+ * std::invalid_argument for parameters out of range, fewer than four cells, and cells whose centres are coplanar.
+ * \throws Aborted where `progress` asks to stop. */
+TissueReconstruction
+ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+                  const ProgressFunction & progress = ProgressFunction());
+} // namespace tissue
+
+#endif

@@ -1,0 +1,124 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkCellWallMesh_h
+#define itkCellWallMesh_h
+
+#include "itkDataObject.h"
+#include "itkObjectFactory.h"
+#include "itkVectorContainer.h"
+
+#include <memory>
+
+namespace tissue
+{
+struct JunctionSet;
+struct TissueReconstruction;
+struct WallMesh;
+} // namespace tissue
+
+namespace itk
+{
+/** \class CellWallMesh
+ * \brief The triangular mesh of all cell walls of a tissue, with all that is known of its cells, as an object of the
+ * pipeline.
+ *
+ * Holds a tissue::WallMesh (whose class comment is the contract: each wall once, shared by its two cells, normals from
+ * the first cell to the second, the exterior always second), the tissue::TissueReconstruction it belongs to and the
+ * tissue::JunctionSet it was made from. Positions are in the physical space (LPS) and units of the image.
+ *
+ * The bulk accessors are for Python, where `itk.array_from_vector_container()` makes NumPy arrays of what they return:
+ * arrays of n tuples, flat, one tuple after the other.
+ *
+ * \sa LabelImageToCellWallMeshFilter JunctionsToCellWallMeshFilter
+ * \ingroup TissueTessellation
+ */
+class CellWallMesh : public DataObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CellWallMesh);
+
+  using Self = CellWallMesh;
+  using Superclass = DataObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(CellWallMesh, DataObject);
+
+  using CoordinatesContainer = VectorContainer<IdentifierType, double>;
+  using IndicesContainer = VectorContainer<IdentifierType, IdentifierType>;
+  using LabelsContainer = VectorContainer<IdentifierType, OffsetValueType>;
+
+  SizeValueType
+  GetNumberOfPoints() const;
+
+  SizeValueType
+  GetNumberOfTriangles() const;
+
+  /** Cells in the mesh, the exterior not counted. */
+  SizeValueType
+  GetNumberOfCells() const;
+
+  /** Coordinates x, y, z of every point. */
+  CoordinatesContainer::Pointer
+  GetPointCoordinates() const;
+
+  /** The three point indices of every triangle. */
+  IndicesContainer::Pointer
+  GetTriangles() const;
+
+  /** The two labels that every triangle separates: its normal points from the first to the second. */
+  LabelsContainer::Pointer
+  GetTriangleLabels() const;
+
+  /** Jaccard indices of the optimized complex and the image (paper, section 4.1), 0 .. 1. */
+  double
+  GetAdjacency2() const;
+
+  double
+  GetAdjacency4() const;
+
+  /** What was made, and what it was made from. \throws ExceptionObject where there is none yet. */
+  const tissue::TissueReconstruction &
+  GetReconstruction() const;
+
+  const tissue::WallMesh &
+  GetWallMesh() const;
+
+  const tissue::JunctionSet &
+  GetJunctionSet() const;
+
+  void
+  SetReconstruction(std::shared_ptr<const tissue::JunctionSet>          junctions,
+                    std::shared_ptr<const tissue::TissueReconstruction> reconstruction);
+
+  /** Empties the mesh. */
+  void
+  Initialize() override;
+
+  /** Shares the other mesh's content. */
+  void
+  Graft(const DataObject * data) override;
+
+protected:
+  CellWallMesh() = default;
+  ~CellWallMesh() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  std::shared_ptr<const tissue::JunctionSet>          m_JunctionSet;
+  std::shared_ptr<const tissue::TissueReconstruction> m_Reconstruction;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkCellWallMesh.hxx"
+#endif
+
+#endif

@@ -1,0 +1,116 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkCellWallMeshSource_h
+#define itkCellWallMeshSource_h
+
+#include "itkCellWallMesh.h"
+#include "itkProcessObject.h"
+
+#include <memory>
+
+namespace tissue
+{
+struct ReconstructionParameters;
+}
+
+namespace itk
+{
+/** \class CellWallMeshSource
+ * \brief Base of the filters that make a CellWallMesh: holds the parameters of the reconstruction.
+ *
+ * The preset sets all parameters at once; single ones can be changed after it. DEFAULT is for label images:
+ * combinatorial legality, rings triangulated by the reference, the energy's image term alone, corners at the image's
+ * junctions. PAPER is the method of the paper to the letter. Finer parameters are in tissue::ReconstructionParameters,
+ * for C++.
+ *
+ * \ingroup TissueTessellation
+ */
+class CellWallMeshSource : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CellWallMeshSource);
+
+  using Self = CellWallMeshSource;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkTypeMacro(CellWallMeshSource, ProcessObject);
+
+  using SeedType = SizeValueType;
+
+  /** Sets every parameter to the preset for label images (the state of a new filter). */
+  void
+  UseDefaultPreset();
+
+  /** Sets every parameter to those of the paper. */
+  void
+  UsePaperPreset();
+
+  /** Seed of the annealing; default 1. */
+  void
+  SetSeed(SeedType seed);
+
+  /** l_max: surface triangles with a longer edge are removed in the clean-up; in the image's units. Default 0: from the
+   * distances of neighbouring cells. */
+  void
+  SetMaximumEdgeLength(double length);
+
+  /** Temperature cycles of the annealing, 0 .. 1000; default 5. */
+  void
+  SetNumberOfCycles(int cycles);
+
+  /** Times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. */
+  void
+  SetRefinement(int levels);
+
+  /** Iterations of the walls' smoothing, 0 or more; default 10. */
+  void
+  SetSmoothingIterations(int iterations);
+
+  /** All parameters. */
+  void
+  SetParameters(const tissue::ReconstructionParameters & parameters);
+
+  const tissue::ReconstructionParameters &
+  GetParameters() const
+  {
+    return *m_Parameters;
+  }
+
+  CellWallMesh *
+  GetOutput();
+
+  const CellWallMesh *
+  GetOutput() const;
+
+  using Superclass::MakeOutput;
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  CellWallMeshSource();
+  ~CellWallMeshSource() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  /** Replaces the parameters by a changed copy. */
+  template <typename TChange>
+  void
+  Change(const TChange & change);
+
+  std::shared_ptr<const tissue::ReconstructionParameters> m_Parameters;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkCellWallMeshSource.hxx"
+#endif
+
+#endif

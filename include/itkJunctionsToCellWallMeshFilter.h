@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkJunctionsToCellWallMeshFilter_h
+#define itkJunctionsToCellWallMeshFilter_h
+
+#include "itkCellWallMeshSource.h"
+
+namespace itk
+{
+class TissueJunctions;
+
+/** \class JunctionsToCellWallMeshFilter
+ * \brief Makes the mesh of all cell walls of a tissue from the junctions of its label image.
+ *
+ * The adjacency complex of the cells starts as the Delaunay tetrahedralization of their centres with a vertex for the
+ * exterior, loses its oversized surface triangles, and is optimized by edge removals and triangle swaps; its dual is
+ * the mesh (G. Cerutti et al., Reconstruction of plant tissue through adjacency optimization: paper, sections 3
+ * and 4.2). It is a closed surface for every cell, and at most four cells meet at any point.
+ *
+ * Progress is that of the whole; the filter can be aborted. Throws ExceptionObject for fewer than four cells, for cells
+ * whose centres are coplanar, and for parameters out of range.
+ *
+ * \sa LabelJunctionExtractionFilter LabelImageToCellWallMeshFilter
+ * \ingroup TissueTessellation
+ */
+class JunctionsToCellWallMeshFilter : public CellWallMeshSource
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(JunctionsToCellWallMeshFilter);
+
+  using Self = JunctionsToCellWallMeshFilter;
+  using Superclass = CellWallMeshSource;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(JunctionsToCellWallMeshFilter, CellWallMeshSource);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const TissueJunctions * junctions);
+
+  const TissueJunctions *
+  GetInput() const;
+
+protected:
+  JunctionsToCellWallMeshFilter();
+  ~JunctionsToCellWallMeshFilter() override = default;
+
+  void
+  GenerateData() override;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkJunctionsToCellWallMeshFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkJunctionsToCellWallMeshFilter_hxx
+#define itkJunctionsToCellWallMeshFilter_hxx
+
+#include "itkJunctionsToCellWallMeshFilter.h"
+
+#include "TissueTessellationCore/TissueReconstruction.h"
+#include "itkTissueJunctions.h"
+
+namespace itk
+{
+inline JunctionsToCellWallMeshFilter::JunctionsToCellWallMeshFilter()
+{
+  this->SetNumberOfRequiredInputs(1);
+}
+
+inline void
+JunctionsToCellWallMeshFilter::SetInput(const TissueJunctions * junctions)
+{
+  this->SetNthInput(0, const_cast<TissueJunctions *>(junctions));
+}
+
+inline const TissueJunctions *
+JunctionsToCellWallMeshFilter::GetInput() const
+{
+  return itkDynamicCastInDebugMode<const TissueJunctions *>(this->GetPrimaryInput());
+}
+
+inline void
+JunctionsToCellWallMeshFilter::GenerateData()
+{
+  const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
+  const auto progress = [this](double fraction) {
+    this->UpdateProgress(static_cast<float>(fraction));
+    return !this->GetAbortGenerateData();
+  };
+  try
+  {
+    const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(
+      tissue::ReconstructTissue(*junctions, this->GetParameters(), progress));
+    this->GetOutput()->SetReconstruction(junctions, reconstruction);
+  }
+  catch (const tissue::Aborted &)
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+}
+} // namespace itk
+
+#endif

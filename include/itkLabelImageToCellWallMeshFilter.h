@@ -1,0 +1,80 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkLabelImageToCellWallMeshFilter_h
+#define itkLabelImageToCellWallMeshFilter_h
+
+#include "itkCellWallMeshSource.h"
+
+namespace itk
+{
+/** \class LabelImageToCellWallMeshFilter
+ * \brief From a segmented image of a tissue to the mesh of all its cell walls, in one filter.
+ *
+ * The mini-pipeline:
+ *
+ *     label image -> LabelJunctionExtractionFilter -> JunctionsToCellWallMeshFilter -> cell-wall mesh
+ *
+ * See the two filters for what they do, require and throw. The input is any 3-D image of an integer pixel type, one
+ * label for each cell and one for the exterior; spacing, origin and direction are applied.
+ *
+ * \ingroup TissueTessellation
+ */
+template <typename TLabelImage>
+class ITK_TEMPLATE_EXPORT LabelImageToCellWallMeshFilter : public CellWallMeshSource
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LabelImageToCellWallMeshFilter);
+
+  using Self = LabelImageToCellWallMeshFilter;
+  using Superclass = CellWallMeshSource;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(LabelImageToCellWallMeshFilter, CellWallMeshSource);
+
+  using LabelImageType = TLabelImage;
+  using LabelType = typename LabelImageType::PixelType;
+
+  void
+  SetInput(const LabelImageType * image);
+
+  const LabelImageType *
+  GetInput() const;
+
+  /** The exterior's label. Chosen automatically unless set: see LabelJunctionExtractionFilter. */
+  void
+  SetExteriorLabel(LabelType label);
+
+  itkGetConstMacro(ExteriorLabel, LabelType);
+
+  /** Whether ExteriorLabel is chosen automatically; on by default, off once a label is set. */
+  itkSetMacro(AutomaticExteriorLabel, bool);
+  itkGetConstMacro(AutomaticExteriorLabel, bool);
+  itkBooleanMacro(AutomaticExteriorLabel);
+
+protected:
+  LabelImageToCellWallMeshFilter();
+  ~LabelImageToCellWallMeshFilter() override = default;
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  LabelType m_ExteriorLabel{};
+  bool      m_AutomaticExteriorLabel = true;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkLabelImageToCellWallMeshFilter.hxx"
+#endif
+
+#endif

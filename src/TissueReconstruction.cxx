@@ -1,0 +1,138 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/TissueReconstruction.h"
+
+#include "TissueTessellationCore/DelaunayTetrahedralization.h"
+#include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/Vector.h"
+#include "TissueTessellationCore/WallRefinement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+namespace tissue
+{
+namespace
+{
+/** Shares of the whole, for the progress. */
+constexpr double DelaunayShare = 0.1;
+constexpr double OptimizationShare = 0.7;
+
+class Stopwatch
+{
+public:
+  /** Seconds since the last call or the start. */
+  double
+  Lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const auto seconds = std::chrono::duration<double>(now - m_Start).count();
+    m_Start = now;
+    return seconds;
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_Start = std::chrono::steady_clock::now();
+};
+
+/** Cell centres, with those that repeat an earlier one moved aside along the axes in turn. */
+std::vector<Point>
+SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks)
+{
+  std::vector<Point> centers;
+  centers.reserve(junctions.cells.size());
+  std::set<Point> taken;
+  const double    typical = MedianNeighborDistance(junctions);
+  const double    step = 1e-3 * (typical > 0.0 ? typical : 1.0);
+  for (const Cell & cell : junctions.cells)
+  {
+    Point center = cell.center;
+    if (!centers.empty())
+    {
+      for (int i = 0; !taken.insert(center).second; ++i)
+      {
+        center = cell.center;
+        center[i % 3] += step * (i / 3 + 1);
+      }
+      if (center != cell.center)
+      {
+        remarks.push_back(
+          { static_cast<VertexId>(centers.size()), Remark::CenterMoved, Distance(center, cell.center) });
+      }
+    }
+    centers.push_back(center);
+  }
+  return centers;
+}
+
+WallMesh
+MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const ReconstructionParameters & parameters)
+{
+  WallMesh walls = TriangulateAsStars(Dualize(complex, ComputeCorners(complex, junctions, parameters.corners)));
+  for (int level = 0; level < parameters.refinement; ++level)
+  {
+    SplitTriangles(walls);
+  }
+  SmoothWalls(walls, parameters.smoothingIterations);
+  return walls;
+}
+} // namespace
+
+TissueReconstruction
+ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+                  const ProgressFunction & progress)
+{
+  parameters.Check();
+  TissueReconstruction     result;
+  Stopwatch                stopwatch;
+  std::vector<CellRemark>  moved;
+  const std::vector<Point> centers = SeparateCenters(junctions, moved);
+  const ReferenceAdjacency reference(junctions);
+  // The statistics of a stage do not count for the time of the next one.
+  const auto finishStage = [&](const AdjacencyComplex & complex) {
+    ReconstructionStage stage;
+    stage.seconds = stopwatch.Lap();
+    stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
+    stopwatch.Lap();
+    return stage;
+  };
+
+  AdjacencyComplex complex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
+  result.delaunay = finishStage(complex);
+  Report(progress, DelaunayShare);
+
+  SurfaceCleanUpParameters cleanUp;
+  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength > 0.0
+                                ? parameters.maximumEdgeLength
+                                : parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
+  cleanUp.guidedByReference = parameters.guidedCleanUp;
+  result.maximumEdgeLength = cleanUp.maximumEdgeLength;
+  // Without two cells that touch there is no scale to judge an edge by.
+  if (cleanUp.maximumEdgeLength > 0.0)
+  {
+    result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
+  }
+  result.cleaned = finishStage(complex);
+
+  TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
+  result.cycles =
+    optimizer.Run([&](double fraction) { return !progress || progress(DelaunayShare + OptimizationShare * fraction); });
+  result.optimized = finishStage(complex);
+
+  result.tetrahedra = complex.GetTetrahedra();
+  result.walls = MakeWalls(complex, junctions, parameters);
+  result.remarks = CollectRemarks(complex, junctions);
+  result.remarks.insert(result.remarks.end(), moved.begin(), moved.end());
+  std::stable_sort(result.remarks.begin(), result.remarks.end(), [](const CellRemark & a, const CellRemark & b) {
+    return a.cell < b.cell;
+  });
+  result.dualSeconds = stopwatch.Lap();
+  Report(progress, 1.0);
+  return result;
+}
+} // namespace tissue
