@@ -7,6 +7,7 @@
 #ifndef itkLabelImageToCellWallMeshFilter_h
 #define itkLabelImageToCellWallMeshFilter_h
 
+#include "TissueTessellationCore/Types.h"
 #include "itkCellWallMeshSource.h"
 
 namespace itk
@@ -38,7 +39,6 @@ public:
   itkTypeMacro(LabelImageToCellWallMeshFilter, CellWallMeshSource);
 
   using LabelImageType = TLabelImage;
-  using LabelType = typename LabelImageType::PixelType;
 
   void
   SetInput(const LabelImageType * image);
@@ -46,16 +46,20 @@ public:
   const LabelImageType *
   GetInput() const;
 
-  /** The exterior's label. Chosen automatically unless set: see LabelJunctionExtractionFilter. */
+  /** The exterior's label; to set it turns AutomaticExteriorLabel off. */
   void
-  SetExteriorLabel(LabelType label);
+  SetExteriorLabel(tissue::Label label);
+  itkGetConstMacro(ExteriorLabel, tissue::Label);
 
-  itkGetConstMacro(ExteriorLabel, LabelType);
-
-  /** Whether ExteriorLabel is chosen automatically; on by default, off once a label is set. */
+  /** Find the exterior's label in the image: see LabelJunctionExtractionFilter. Default: on. */
   itkSetMacro(AutomaticExteriorLabel, bool);
   itkGetConstMacro(AutomaticExteriorLabel, bool);
   itkBooleanMacro(AutomaticExteriorLabel);
+
+  /** Take label 0 for a cell, if it is not the exterior's. Default: off. */
+  itkSetMacro(ZeroIsCell, bool);
+  itkGetConstMacro(ZeroIsCell, bool);
+  itkBooleanMacro(ZeroIsCell);
 
 protected:
   LabelImageToCellWallMeshFilter();
@@ -68,8 +72,9 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  LabelType m_ExteriorLabel{};
-  bool      m_AutomaticExteriorLabel = true;
+  tissue::Label m_ExteriorLabel = 0;
+  bool          m_AutomaticExteriorLabel = true;
+  bool          m_ZeroIsCell = false;
 };
 } // namespace itk
 

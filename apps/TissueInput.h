@@ -1,0 +1,42 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueInput_h
+#define TissueInput_h
+
+#include "ProgressBar.h"
+#include "TissueTessellationOptions.h"
+#include "itkTissueJunctions.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tissue
+{
+/** A label image as the program takes it: its junctions, and what is to be said of it. */
+struct TissueInput
+{
+  itk::TissueJunctions::Pointer junctions;
+  /** File, size, spacing, origin, direction, pixel type, exterior label, gaps closed. */
+  std::string                pixelType;
+  std::array<std::size_t, 3> size{};
+  std::array<double, 3>      spacing{};
+  Label                      exteriorLabel = 0;
+  std::vector<std::string>   warnings;
+  double                     readSeconds = 0.0;
+  double                     closeGapsSeconds = 0.0;
+  double                     extractSeconds = 0.0;
+  std::size_t                numberOfClosedVoxels = 0;
+  double                     largestClosedDistance = 0.0;
+};
+
+/** Reads the image and extracts its junctions.
+ * \throws std::runtime_error or itk::ExceptionObject: no such file, not readable, not three-dimensional, more than one
+ * component, not of an integer type, fewer than four cells, an absent exterior label, cells that do not touch. */
+TissueInput
+ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress);
+} // namespace tissue
+
+#endif

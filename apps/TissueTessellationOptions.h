@@ -1,0 +1,59 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationOptions_h
+#define TissueTessellationOptions_h
+
+#include "TissueTessellationCore/ReconstructionParameters.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tissue
+{
+/** What the user asked of the program. */
+struct TissueTessellationOptions
+{
+  std::string labels;
+  std::string walls;
+  std::string complex;
+  std::string cells;
+  std::string statistics;
+  std::string report;
+  std::string picture;
+
+  std::optional<Label>                 exteriorLabel;
+  bool                                 zeroIsCell = false;
+  std::optional<std::array<double, 3>> spacing;
+  /** Widest gap to close, in physical units; 0 for the automatic width. */
+  std::optional<double> closeGaps;
+
+  std::string              preset = "default";
+  ReconstructionParameters parameters;
+
+  unsigned int threads = 0;
+  bool         isQuiet = false;
+
+  /** All files that are to be written. */
+  std::vector<std::string>
+  Outputs() const;
+};
+
+/** The options of the command line, or nothing where the program shall end with `exitCode`: after --help, or after an
+ * error, which has then been said on standard error. */
+std::optional<TissueTessellationOptions>
+ParseCommandLine(int argc, char ** argv, int & exitCode);
+
+/** The options for the report. */
+nlohmann::ordered_json
+ToJson(const TissueTessellationOptions & options);
+} // namespace tissue
+
+#endif
