@@ -19,16 +19,27 @@ EnergyFunction::EnergyFunction(const AdjacencyComplex & complex, const std::vect
   , m_Reference(reference)
   , m_Parameters(parameters)
 {
-  for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+  this->Recompute();
+}
+
+void
+EnergyFunction::Recompute()
+{
+  m_Sums = Sums();
+  for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
   {
-    if (complex.IsAlive(id))
+    if (m_Complex.IsAlive(id))
     {
-      AddTetrahedron(complex.GetTetrahedron(id).vertices, +1, m_Sums);
+      AddTetrahedron(m_Complex.GetTetrahedron(id).vertices, +1, m_Sums);
     }
   }
-  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
   {
-    m_Sums.prior += Deviation(complex.NumberOfNeighbors(v), complex.FindEdge(ExteriorVertex, v) != nullptr);
+    AddEdge(edge.vertices, +1, m_Sums);
+  }
+  for (VertexId v = ExteriorVertex + 1; v < m_Complex.NumberOfVertices(); ++v)
+  {
+    m_Sums.prior += Deviation(m_Complex.NumberOfNeighbors(v), m_Complex.FindEdge(ExteriorVertex, v) != nullptr);
   }
 }
 
@@ -38,12 +49,15 @@ EnergyFunction::Evaluate(const Sums & sums) const
   double image = 0.0;
   if (m_Reference)
   {
-    image = Jaccard(static_cast<std::size_t>(sums.hits),
-                    static_cast<std::size_t>(sums.tetrahedra),
-                    m_Reference->NumberOfQuadruples());
+    image = m_Parameters.adjacencyWeight * Jaccard(static_cast<std::size_t>(sums.hits),
+                                                   static_cast<std::size_t>(sums.tetrahedra),
+                                                   m_Reference->NumberOfQuadruples()) +
+            m_Parameters.pairWeight * Jaccard(static_cast<std::size_t>(sums.pairHits),
+                                              static_cast<std::size_t>(sums.edges),
+                                              m_Reference->NumberOfPairs());
   }
   const auto cells = static_cast<double>(m_Complex.NumberOfVertices() - 1);
-  return -m_Parameters.adjacencyWeight * image + m_Parameters.neighborWeight * sums.prior / cells +
+  return -image + m_Parameters.neighborWeight * sums.prior / cells +
          m_Parameters.lengthWeight * sums.length / (static_cast<double>(sums.tetrahedra) * m_Parameters.unitLength);
 }
 
@@ -74,6 +88,16 @@ EnergyFunction::Deviation(std::int32_t numberOfNeighbors, bool touchesExterior) 
 }
 
 void
+EnergyFunction::AddEdge(VertexPair edge, int sign, Sums & sums) const
+{
+  sums.edges += sign;
+  if (m_Reference && m_Parameters.pairWeight != 0.0 && m_Reference->HasPair(edge[0], edge[1]))
+  {
+    sums.pairHits += sign;
+  }
+}
+
+void
 EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums & sums) const
 {
   sums.tetrahedra += sign;
@@ -98,6 +122,14 @@ EnergyFunction::SumsAfter(const Replacement & replacement) const
   for (const VertexQuadruple & vertices : replacement.created)
   {
     AddTetrahedron(vertices, +1, sums);
+  }
+  for (const VertexPair & edge : replacement.removedEdges)
+  {
+    AddEdge(edge, -1, sums);
+  }
+  for (const VertexPair & edge : replacement.createdEdges)
+  {
+    AddEdge(edge, +1, sums);
   }
   if (m_Parameters.neighborWeight == 0.0)
   {

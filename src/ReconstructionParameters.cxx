@@ -29,6 +29,7 @@ CheckRange(const char * name, double value, double least, double most)
 ReconstructionParameters::ReconstructionParameters()
 {
   // The image tells the neighbours: the terms without it only pull away from what it shows.
+  energy.pairWeight = 0.8;
   energy.neighborWeight = 0.0;
   energy.lengthWeight = 0.0;
   annealing.legality = Legality::Combinatorial;
@@ -44,6 +45,7 @@ ReconstructionParameters::PaperPreset()
   parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();
   parameters.annealing = AnnealingParameters();
+  parameters.annealing.focus.numberOfRounds = 0;
   parameters.corners = CornerRule::ProjectedCircumcenter;
   return parameters;
 }

@@ -42,13 +42,12 @@ Rank(TCandidates & candidates)
 TopologyOptimizer::TopologyOptimizer(AdjacencyComplex & complex, const std::vector<Point> & centers,
                                      const ReferenceAdjacency * reference, const EnergyParameters & energy,
                                      const AnnealingParameters & annealing)
-  : m_Complex(complex)
-  , m_Reference(reference)
+  : m_State{ complex,
+             LocalOperations(complex, centers, annealing.legality),
+             EnergyFunction(complex, centers, reference, energy),
+             Random(annealing.seed) }
   , m_EnergyParameters(energy)
   , m_Annealing(annealing)
-  , m_Operations(complex, centers, annealing.legality)
-  , m_Energy(complex, centers, reference, energy)
-  , m_Random(annealing.seed)
 {
   const auto require = [](bool valid, const char * what, double value) {
     if (!valid)
@@ -62,23 +61,41 @@ TopologyOptimizer::TopologyOptimizer(AdjacencyComplex & complex, const std::vect
           "cooling factor must be above 0 and at most 1",
           annealing.coolingFactor);
   require(annealing.maximumDegree >= 3, "maximum degree must be at least 3", annealing.maximumDegree);
-  m_Operations.SetMaximumDegree(annealing.maximumDegree);
+  m_State.operations.SetMaximumDegree(annealing.maximumDegree);
 }
 
 double
 TopologyOptimizer::OneElement() const
 {
-  return m_Reference ? m_EnergyParameters.adjacencyWeight / std::max<double>(1.0, m_Reference->NumberOfQuadruples())
-                     : (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
-                         static_cast<double>(m_Complex.NumberOfVertices());
+  return m_State.energy.GetReference() ? m_EnergyParameters.adjacencyWeight /
+                                           std::max<double>(1.0, m_State.energy.GetReference()->NumberOfQuadruples())
+                                       : (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
+                                           static_cast<double>(m_State.complex.NumberOfVertices());
 }
 
 std::vector<AnnealingCycle>
 TopologyOptimizer::Run(const ProgressFunction & progress)
 {
+  const bool   isFocused = m_State.energy.GetReference() && m_Annealing.legality == Legality::Combinatorial;
+  const double cyclesShare = isFocused && m_Annealing.focus.numberOfRounds > 0 ? 0.5 : 1.0;
+  const auto   partOf = [&progress](double begin, double end) {
+    return [&progress, begin, end](double f) { return !progress || progress(begin + (end - begin) * f); };
+  };
+  const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, cyclesShare));
+  if (isFocused)
+  {
+    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(cyclesShare, 1.0));
+  }
+  Report(progress, 1.0);
+  return cycles;
+}
+
+std::vector<AnnealingCycle>
+TopologyOptimizer::RunCycles(const ProgressFunction & progress)
+{
   std::vector<AnnealingCycle> cycles;
-  AdjacencyComplex            best = m_Complex;
-  double                      bestEnergy = m_Energy.Total();
+  AdjacencyComplex            best = m_State.complex;
+  double                      bestEnergy = m_State.energy.Total();
   AnnealingCycle              cycle;
   cycle.temperature = m_Annealing.initialTemperature * OneElement();
   for (int i = 0; i < m_Annealing.numberOfCycles; ++i)
@@ -86,62 +103,39 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
     Report(progress, static_cast<double>(i) / m_Annealing.numberOfCycles);
     cycle.numberOfRemovals = RemoveEdges(cycle.temperature);
     cycle.numberOfSwaps = SwapTriangles(cycle.temperature);
-    cycle.energy = m_Energy.Total();
+    cycle.energy = m_State.energy.Total();
     cycles.push_back(cycle);
     if (cycle.energy < bestEnergy)
     {
-      best = m_Complex;
+      best = m_State.complex;
       bestEnergy = cycle.energy;
     }
     cycle.temperature *= m_Annealing.coolingFactor;
   }
-  m_Complex = best;
-  Report(progress, 1.0);
+  m_State.complex = best;
+  m_State.energy.Recompute();
   return cycles;
-}
-
-bool
-TopologyOptimizer::Try(const Proposal & proposal, double temperature)
-{
-  if (!proposal)
-  {
-    return false;
-  }
-  const double difference = m_Energy.Difference(proposal.replacement);
-  if (difference > 0.0 && m_Random.Uniform() >= std::exp(-difference / temperature))
-  {
-    return false;
-  }
-  m_Energy.Update(proposal.replacement);
-  m_Complex.Apply(proposal.replacement);
-  return true;
 }
 
 Proposal
 TopologyOptimizer::ProposeRemoval(VertexPair edge) const
 {
-  if (m_Annealing.ringRule == RingRule::ProjectedDelaunay || !m_Reference)
+  if (m_Annealing.ringRule == RingRule::ProjectedDelaunay || !m_State.energy.GetReference())
   {
-    return m_Operations.RemoveEdge(edge);
+    return m_State.operations.RemoveEdge(edge);
   }
-  return m_Operations.RemoveEdge(edge, [this](VertexPair e, const AdjacencyComplex::Ring & ring, int i, int j, int k) {
-    const VertexId a = ring.vertices[i];
-    const VertexId b = ring.vertices[j];
-    const VertexId c = ring.vertices[k];
-    return -static_cast<double>(m_Reference->HasQuadruple({ { e[0], a, b, c } })) -
-           static_cast<double>(m_Reference->HasQuadruple({ { e[1], a, b, c } }));
-  });
+  return m_State.RemoveEdgeByReference(edge);
 }
 
 std::size_t
 TopologyOptimizer::RemoveEdges(double temperature)
 {
   std::vector<Candidate> candidates;
-  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
+  for (const AdjacencyComplex::Edge & edge : m_State.complex.GetEdges())
   {
     if (const Proposal proposal = ProposeRemoval(edge.vertices))
     {
-      const double difference = m_Energy.Difference(proposal.replacement);
+      const double difference = m_State.energy.Difference(proposal.replacement);
       if (difference <= HopelessTemperatures * temperature)
       {
         candidates.push_back({ difference, { { edge.vertices[0], edge.vertices[1], 0, 0 } }, 0, 0, 0 });
@@ -153,7 +147,7 @@ TopologyOptimizer::RemoveEdges(double temperature)
   for (const Candidate & candidate : candidates)
   {
     const VertexPair edge{ { candidate.vertices[0], candidate.vertices[1] } };
-    if (m_Complex.FindEdge(edge[0], edge[1]) && Try(ProposeRemoval(edge), temperature))
+    if (m_State.complex.FindEdge(edge[0], edge[1]) && m_State.Try(ProposeRemoval(edge), temperature))
     {
       ++done;
     }
@@ -164,25 +158,23 @@ TopologyOptimizer::RemoveEdges(double temperature)
 std::size_t
 TopologyOptimizer::SwapTriangles(double temperature)
 {
-  const auto vertexBehind = [this](TetrahedronId id, int i) {
-    return m_Complex.GetTetrahedron(m_Complex.GetTetrahedron(id).neighbors[i]).vertices[m_Complex.MirrorIndex(id, i)];
-  };
   std::vector<Candidate> candidates;
-  for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
+  for (TetrahedronId id = 0; id < m_State.complex.TetrahedronIdBound(); ++id)
   {
-    for (int i = 0; m_Complex.IsAlive(id) && i < 4; ++i)
+    for (int i = 0; m_State.complex.IsAlive(id) && i < 4; ++i)
     {
       // Each triangle from one of its sides.
-      if (m_Complex.GetTetrahedron(id).neighbors[i] < id)
+      if (m_State.complex.GetTetrahedron(id).neighbors[i] < id)
       {
         continue;
       }
-      if (const Proposal proposal = m_Operations.SwapTriangle(id, i))
+      if (const Proposal proposal = m_State.operations.SwapTriangle(id, i))
       {
-        const double difference = m_Energy.Difference(proposal.replacement);
+        const double difference = m_State.energy.Difference(proposal.replacement);
         if (difference <= HopelessTemperatures * temperature)
         {
-          candidates.push_back({ difference, m_Complex.GetTetrahedron(id).vertices, id, i, vertexBehind(id, i) });
+          candidates.push_back(
+            { difference, m_State.complex.GetTetrahedron(id).vertices, id, i, m_State.VertexBehind(id, i) });
         }
       }
     }
@@ -191,10 +183,10 @@ TopologyOptimizer::SwapTriangles(double temperature)
   std::size_t done = 0;
   for (const Candidate & c : candidates)
   {
-    const bool unchanged = m_Complex.IsAlive(c.tetrahedron) &&
-                           m_Complex.GetTetrahedron(c.tetrahedron).vertices == c.vertices &&
-                           vertexBehind(c.tetrahedron, c.opposite) == c.behind;
-    if (unchanged && Try(m_Operations.SwapTriangle(c.tetrahedron, c.opposite), temperature))
+    const bool unchanged = m_State.complex.IsAlive(c.tetrahedron) &&
+                           m_State.complex.GetTetrahedron(c.tetrahedron).vertices == c.vertices &&
+                           m_State.VertexBehind(c.tetrahedron, c.opposite) == c.behind;
+    if (unchanged && m_State.Try(m_State.operations.SwapTriangle(c.tetrahedron, c.opposite), temperature))
     {
       ++done;
     }

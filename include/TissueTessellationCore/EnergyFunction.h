@@ -19,6 +19,8 @@ struct EnergyParameters
 {
   /** Of the image term, equation 2; without a reference the term is 0. */
   double adjacencyWeight = 8.0;
+  /** Of the same term for pairs of cells that share a wall, which the paper has not. */
+  double pairWeight = 0.0;
   /** Of the prior on the numbers of neighbours, equation 3. */
   double neighborWeight = 0.05;
   /** Of the longest edges, equation 4. */
@@ -32,7 +34,7 @@ struct EnergyParameters
 
 /** \brief The energy of a complex (paper, equations 1 to 4), kept up to date with it.
  *
- * E = - w_adjacency |T & S| / |T | S| + w_neighbor mean over cells of (n - N)^2
+ * E = - w_adjacency |T & S| / |T | S| - w_pair |E_T & E_S| / |E_T | E_S| + w_neighbor mean over cells of (n - N)^2
  *     + w_length mean over tetrahedra of the longest edge,
  * where a cell's ideal number N is epidermalNeighbors + 1 where it touches the exterior, which is counted in n. A
  * tetrahedron with the exterior, which has no position, has the longest edge of its triangle of cells.
@@ -44,6 +46,10 @@ public:
   /** All references must outlive this object; `reference` may be null. */
   EnergyFunction(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
+
+  /** Takes the complex as it is, after a change that Update() was not told of. */
+  void
+  Recompute();
 
   /** The energy of the complex as this object knows it. */
   double
@@ -84,6 +90,8 @@ private:
   {
     std::int64_t hits = 0;
     std::int64_t tetrahedra = 0;
+    std::int64_t pairHits = 0;
+    std::int64_t edges = 0;
     double       prior = 0.0;
     double       length = 0.0;
   };
@@ -93,6 +101,9 @@ private:
 
   Sums
   SumsAfter(const Replacement & replacement) const;
+
+  void
+  AddEdge(VertexPair edge, int sign, Sums & sums) const;
 
   void
   AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums & sums) const;

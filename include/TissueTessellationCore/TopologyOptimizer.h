@@ -7,10 +7,7 @@
 #ifndef TissueTessellationCore_TopologyOptimizer_h
 #define TissueTessellationCore_TopologyOptimizer_h
 
-#include "TissueTessellationCore/EnergyFunction.h"
-#include "TissueTessellationCore/LocalOperations.h"
-#include "TissueTessellationCore/Progress.h"
-#include "TissueTessellationCore/Random.h"
+#include "TissueTessellationCore/FocusedAnnealing.h"
 
 namespace tissue
 {
@@ -34,8 +31,10 @@ struct AnnealingParameters
   Legality legality = Legality::Geometric;
   RingRule ringRule = RingRule::ProjectedDelaunay;
   /** Largest degree of an edge that is removed. */
-  std::int32_t  maximumDegree = 1000;
-  std::uint64_t seed = 1;
+  std::int32_t maximumDegree = 1000;
+  /** After the cycles, where there is a reference and combinatorial legality; the paper has none. */
+  FocusedAnnealingParameters focus;
+  std::uint64_t              seed = 1;
 };
 
 /** What happened in one temperature cycle. */
@@ -54,8 +53,8 @@ struct AnnealingCycle
  * by their energy difference, ascending, and carried out in that order where they are still legal, at their difference
  * at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
  *
- * The complex ends in the state of least energy seen at the end of a cycle, or at the start. The same input, parameters
- * and seed give the same result. */
+ * The complex ends in the state of least energy seen at the end of a cycle or round, or at the start. The same input,
+ * parameters and seed give the same result. */
 class TopologyOptimizer
 {
 public:
@@ -72,6 +71,9 @@ public:
 private:
   struct Candidate;
 
+  std::vector<AnnealingCycle>
+  RunCycles(const ProgressFunction & progress);
+
   Proposal
   ProposeRemoval(VertexPair edge) const;
 
@@ -81,20 +83,13 @@ private:
   std::size_t
   SwapTriangles(double temperature);
 
-  /** Carries out a legal proposal if the temperature lets it. */
-  bool
-  Try(const Proposal & proposal, double temperature);
-
+  /** The unit of temperatures. */
   double
   OneElement() const;
 
-  AdjacencyComplex &         m_Complex;
-  const ReferenceAdjacency * m_Reference;
-  EnergyParameters           m_EnergyParameters;
-  AnnealingParameters        m_Annealing;
-  LocalOperations            m_Operations;
-  EnergyFunction             m_Energy;
-  Random                     m_Random;
+  AnnealingState      m_State;
+  EnergyParameters    m_EnergyParameters;
+  AnnealingParameters m_Annealing;
 };
 } // namespace tissue
 
