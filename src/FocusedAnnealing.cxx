@@ -12,10 +12,6 @@ namespace tissue
 {
 namespace
 {
-/** Shares of the kinds of proposals. */
-constexpr double RemovalShare = 0.6;
-constexpr double RandomRingShare = 0.5;
-
 /** The tetrahedra that are not in the reference, and their neighbours, ascending. */
 std::vector<TetrahedronId>
 ListWrongTetrahedra(const AnnealingState & state)
@@ -36,29 +32,6 @@ ListWrongTetrahedra(const AnnealingState & state)
   return list;
 }
 
-/** A random operation at a tetrahedron. */
-Proposal
-ProposeAt(AnnealingState & state, TetrahedronId id, std::int32_t maximumDegree)
-{
-  const VertexQuadruple & vertices = state.complex.GetTetrahedron(id).vertices;
-  if (state.random.Uniform() >= RemovalShare)
-  {
-    return state.operations.SwapTriangle(id, static_cast<int>(state.random.Index(4)));
-  }
-  constexpr int    edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
-  const auto &     e = edges[state.random.Index(6)];
-  const VertexPair edge{ { vertices[e[0]], vertices[e[1]] } };
-  if (state.complex.FindEdge(edge[0], edge[1])->degree > maximumDegree)
-  {
-    return { Verdict::DegreeAboveLimit, {} };
-  }
-  if (state.random.Uniform() >= RandomRingShare)
-  {
-    return state.RemoveEdgeByReference(edge);
-  }
-  return state.operations.RemoveEdge(
-    edge, [&state](VertexPair, const AdjacencyComplex::Ring &, int, int, int) { return state.random.Uniform(); });
-}
 } // namespace
 
 void
@@ -80,7 +53,7 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
       const TetrahedronId id = list[state.random.Index(list.size())];
       if (state.complex.IsAlive(id))
       {
-        state.Try(ProposeAt(state, id, parameters.maximumDegree), temperature);
+        state.Try(state.ProposeAt(id, parameters.maximumDegree), temperature);
       }
     }
     if (state.energy.Total() < bestEnergy)

@@ -70,6 +70,21 @@ ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
   return std::find(begin, end, VertexTriple{ { key[0], key[1], key[2] } }) != end;
 }
 
+std::vector<VertexQuadruple>
+ReferenceAdjacency::GetQuadruples() const
+{
+  std::vector<VertexQuadruple> quadruples;
+  quadruples.reserve(m_Others.size());
+  for (std::size_t row = 0; row + 1 < m_QuadrupleRows.size(); ++row)
+  {
+    for (std::size_t i = m_QuadrupleRows[row]; i < m_QuadrupleRows[row + 1]; ++i)
+    {
+      quadruples.push_back({ { m_Others[i][0], m_Others[i][1], m_Others[i][2], static_cast<VertexId>(row) } });
+    }
+  }
+  return quadruples;
+}
+
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
 {

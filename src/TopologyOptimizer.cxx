@@ -84,6 +84,7 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
   const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, cyclesShare));
   if (isFocused)
   {
+    RelocateVertices(m_State, m_Annealing.relocation, OneElement());
     AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(cyclesShare, 1.0));
   }
   Report(progress, 1.0);

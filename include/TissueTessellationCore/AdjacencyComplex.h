@@ -104,6 +104,15 @@ public:
     return m_NumberOfNeighbors[v];
   }
 
+  /** A tetrahedron incident to the vertex.
+   * \throws std::invalid_argument where there is none. */
+  TetrahedronId
+  FindIncidentTetrahedron(VertexId v) const;
+
+  /** All tetrahedra incident to the vertex, each once, in an order that depends on the history. */
+  std::vector<TetrahedronId>
+  GetStar(VertexId v) const;
+
   /** The link of the edge (u, v).
    * \throws std::invalid_argument where u and v are not adjacent. */
   Ring
@@ -126,7 +135,8 @@ public:
   std::vector<std::int32_t>
   GetTetrahedronRanks() const;
 
-  /** Carries out the replacement and returns its inverse.
+  /** Carries out the replacement and returns its inverse. A series of replacements is undone by their inverses in
+   * reverse order, which restores the ids as well.
    * \throws std::logic_error where removed and created tetrahedra have not the same boundary; nothing is changed. */
   Replacement
   Apply(const Replacement & replacement);

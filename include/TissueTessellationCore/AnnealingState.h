@@ -23,23 +23,37 @@ struct AnnealingState
   EnergyFunction     energy;
   Random             random;
 
-  /** The Metropolis rule: carries out a legal proposal where it lowers the energy, else with probability
-   * exp(-difference / temperature). Returns whether it did. */
+  /** The Metropolis rule: a legal proposal is accepted where it lowers the energy, else with probability
+   * exp(-difference / temperature). */
   bool
-  Try(const Proposal & proposal, double temperature)
+  Accepts(const Proposal & proposal, double temperature)
   {
     if (!proposal)
     {
       return false;
     }
     const double difference = energy.Difference(proposal.replacement);
-    if (difference > 0.0 && random.Uniform() >= std::exp(-difference / temperature))
+    return difference <= 0.0 || random.Uniform() < std::exp(-difference / temperature);
+  }
+
+  /** Carries out a replacement and returns its inverse. */
+  Replacement
+  Do(const Replacement & replacement)
+  {
+    energy.Update(replacement);
+    return complex.Apply(replacement);
+  }
+
+  /** Carries out a proposal if it is accepted. Returns whether it was. */
+  bool
+  Try(const Proposal & proposal, double temperature)
+  {
+    const bool isAccepted = this->Accepts(proposal, temperature);
+    if (isAccepted)
     {
-      return false;
+      this->Do(proposal.replacement);
     }
-    energy.Update(proposal.replacement);
-    complex.Apply(proposal.replacement);
-    return true;
+    return isAccepted;
   }
 
   /** The vertex on the other side of triangle i of a tetrahedron. */
@@ -51,17 +65,12 @@ struct AnnealingState
 
   /** Edge removal with the ring's triangulation that makes most quadruples of the reference. */
   Proposal
-  RemoveEdgeByReference(VertexPair edge) const
-  {
-    const ReferenceAdjacency & reference = *energy.GetReference();
-    return operations.RemoveEdge(edge, [&](VertexPair e, const AdjacencyComplex::Ring & ring, int i, int j, int k) {
-      const VertexId a = ring.vertices[i];
-      const VertexId b = ring.vertices[j];
-      const VertexId c = ring.vertices[k];
-      return -static_cast<double>(reference.HasQuadruple({ { e[0], a, b, c } })) -
-             static_cast<double>(reference.HasQuadruple({ { e[1], a, b, c } }));
-    });
-  }
+  RemoveEdgeByReference(VertexPair edge) const;
+
+  /** A random operation at a tetrahedron: a triangle swap, or an edge removal up to a degree, the ring triangulated by
+   * the reference or at random. */
+  Proposal
+  ProposeAt(TetrahedronId id, std::int32_t maximumDegree);
 };
 } // namespace tissue
 

@@ -37,7 +37,11 @@ enum class Verdict
   /** A created tetrahedron would be flat or inverted (geometric legality only). */
   Inverted,
   /** More tetrahedra are incident to the edge than the limit allows. */
-  DegreeAboveLimit
+  DegreeAboveLimit,
+  /** The vertex has more than four neighbours. */
+  TooManyNeighbors,
+  /** The tetrahedron that would replace a vertex exists already. */
+  TetrahedronExists
 };
 
 const char *
@@ -87,6 +91,16 @@ public:
    * Refused: DegreeAboveLimit, NoTriangulation, TriangleExists, Inverted. */
   Proposal
   RemoveEdge(VertexPair edge, const RingCost & ringCost) const;
+
+  /** Vertex removal (4-1 flip): the four tetrahedra around a vertex become one. Combinatorial legality alone.
+   * Refused: TooManyNeighbors, TetrahedronExists. */
+  Proposal
+  RemoveVertex(VertexId vertex) const;
+
+  /** Vertex insertion (1-4 flip), the reverse: a tetrahedron becomes four around a vertex that is in none.
+   * Combinatorial legality alone. */
+  Proposal
+  InsertVertex(VertexId vertex, TetrahedronId id) const;
 
 private:
   Proposal

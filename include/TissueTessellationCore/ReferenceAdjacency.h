@@ -28,6 +28,10 @@ public:
   bool
   HasQuadruple(const VertexQuadruple & vertices) const;
 
+  /** All quadruples, ascending within each. */
+  std::vector<VertexQuadruple>
+  GetQuadruples() const;
+
   std::size_t
   NumberOfPairs() const
   {

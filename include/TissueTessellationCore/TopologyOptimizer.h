@@ -8,6 +8,7 @@
 #define TissueTessellationCore_TopologyOptimizer_h
 
 #include "TissueTessellationCore/FocusedAnnealing.h"
+#include "TissueTessellationCore/VertexRelocation.h"
 
 namespace tissue
 {
@@ -33,6 +34,7 @@ struct AnnealingParameters
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 1000;
   /** After the cycles, where there is a reference and combinatorial legality; the paper has none. */
+  VertexRelocationParameters relocation;
   FocusedAnnealingParameters focus;
   std::uint64_t              seed = 1;
 };

@@ -1,0 +1,307 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/VertexRelocation.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace tissue
+{
+namespace
+{
+/** The replacements since the start of an attempt, to undo it from. */
+class Journal
+{
+public:
+  explicit Journal(AnnealingState & state)
+    : m_State(state)
+    , m_BestEnergy(state.energy.Total())
+  {}
+
+  void
+  Do(const Replacement & replacement)
+  {
+    m_Inverses.push_back(m_State.Do(replacement));
+  }
+
+  /** As AnnealingState::Try(), remembering where the energy was least. */
+  void
+  Try(const Proposal & proposal, double temperature)
+  {
+    if (!proposal || !m_State.Accepts(proposal, temperature))
+    {
+      return;
+    }
+    this->Do(proposal.replacement);
+    if (m_State.energy.Total() < m_BestEnergy)
+    {
+      m_BestEnergy = m_State.energy.Total();
+      m_Best = m_Inverses.size();
+    }
+  }
+
+  /** Undoes all that came after the given number of replacements. */
+  void
+  UndoTo(std::size_t size)
+  {
+    while (m_Inverses.size() > size)
+    {
+      m_State.Do(m_Inverses.back());
+      m_Inverses.pop_back();
+    }
+  }
+
+  std::size_t
+  Size() const
+  {
+    return m_Inverses.size();
+  }
+
+  /** Number of replacements up to the state of least energy; 0: the start. */
+  std::size_t
+  Best() const
+  {
+    return m_Best;
+  }
+
+private:
+  AnnealingState &         m_State;
+  std::vector<Replacement> m_Inverses;
+  double                   m_BestEnergy;
+  std::size_t              m_Best = 0;
+};
+/** What the reference wants of each vertex, and where it is missing. */
+struct Demand
+{
+  std::vector<std::int32_t> wanted;  // quadruples of the reference at each vertex
+  std::vector<std::int32_t> missing; // those of them that the complex has not
+
+  Demand(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
+    : wanted(static_cast<std::size_t>(complex.NumberOfVertices()), 0)
+    , missing(wanted)
+  {
+    for (const VertexQuadruple & quadruple : reference.GetQuadruples())
+    {
+      for (const VertexId v : quadruple)
+      {
+        ++wanted[v];
+        ++missing[v];
+      }
+    }
+    for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+    {
+      if (complex.IsAlive(id) && reference.HasQuadruple(complex.GetTetrahedron(id).vertices))
+      {
+        for (const VertexId v : complex.GetTetrahedron(id).vertices)
+        {
+          --missing[v];
+        }
+      }
+    }
+  }
+};
+
+class Relocation
+{
+public:
+  Relocation(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple)
+    : m_State(state)
+    , m_Parameters(parameters)
+    , m_OneQuadruple(oneQuadruple)
+  {}
+
+  bool
+  Relocate(VertexId vertex)
+  {
+    Journal journal(m_State);
+    if (this->TakeOut(vertex, journal))
+    {
+      const std::size_t taken = journal.Size();
+      for (const VertexQuadruple & place : this->FindPlaces(vertex))
+      {
+        this->PutIn(vertex, place, journal);
+        if (journal.Best() > 0)
+        {
+          journal.UndoTo(journal.Best());
+          return true;
+        }
+        journal.UndoTo(taken);
+      }
+    }
+    journal.UndoTo(0);
+    return false;
+  }
+
+private:
+  /** Reduces the vertex to four neighbours, each time by the edge that costs least, and removes it. */
+  bool
+  TakeOut(VertexId vertex, Journal & journal) const
+  {
+    while (m_State.complex.NumberOfNeighbors(vertex) > 4)
+    {
+      Proposal best{ Verdict::EdgeExists, {} };
+      double   least = std::numeric_limits<double>::infinity();
+      for (const VertexId neighbor : this->GetNeighbors(vertex))
+      {
+        const VertexPair edge{ { std::min(vertex, neighbor), std::max(vertex, neighbor) } };
+        if (m_State.complex.FindEdge(edge[0], edge[1])->degree > LargestDegree)
+        {
+          continue;
+        }
+        Proposal proposal = m_State.RemoveEdgeByReference(edge);
+        if (proposal && m_State.energy.Difference(proposal.replacement) < least)
+        {
+          least = m_State.energy.Difference(proposal.replacement);
+          best = std::move(proposal);
+        }
+      }
+      if (!best)
+      {
+        return false;
+      }
+      journal.Do(best.replacement);
+    }
+    const Proposal removal = m_State.operations.RemoveVertex(vertex);
+    if (removal)
+    {
+      journal.Do(removal.replacement);
+    }
+    return static_cast<bool>(removal);
+  }
+
+  /** Vertices adjacent to a vertex, ascending. */
+  std::vector<VertexId>
+  GetNeighbors(VertexId vertex) const
+  {
+    std::vector<VertexId> neighbors;
+    for (const TetrahedronId id : m_State.complex.GetStar(vertex))
+    {
+      const auto & vertices = m_State.complex.GetTetrahedron(id).vertices;
+      std::copy_if(
+        vertices.begin(), vertices.end(), std::back_inserter(neighbors), [vertex](VertexId v) { return v != vertex; });
+    }
+    std::sort(neighbors.begin(), neighbors.end());
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    return neighbors;
+  }
+
+  /** Tetrahedra that are not in the reference, the most promising first: by the quadruples that the vertex would make
+   * there, then by the neighbours that it would have. */
+  std::vector<VertexQuadruple>
+  FindPlaces(VertexId vertex) const
+  {
+    const ReferenceAdjacency &                         reference = *m_State.energy.GetReference();
+    std::vector<std::tuple<int, int, VertexQuadruple>> places;
+    for (TetrahedronId id = 0; id < m_State.complex.TetrahedronIdBound(); ++id)
+    {
+      if (!m_State.complex.IsAlive(id) || reference.HasQuadruple(m_State.complex.GetTetrahedron(id).vertices))
+      {
+        continue;
+      }
+      const VertexQuadruple & vertices = m_State.complex.GetTetrahedron(id).vertices;
+      int                     quadruples = 0;
+      int                     pairs = 0;
+      for (int i = 0; i < 4; ++i)
+      {
+        VertexQuadruple created = vertices;
+        created[i] = vertex;
+        quadruples += reference.HasQuadruple(created) ? 1 : 0;
+        pairs += reference.HasPair(vertex, vertices[i]) ? 1 : 0;
+      }
+      if (pairs >= 3)
+      {
+        places.emplace_back(-quadruples, -pairs, Canonical(vertices));
+      }
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<VertexQuadruple> best;
+    for (const auto & place : places)
+    {
+      if (static_cast<int>(best.size()) < m_Parameters.numberOfPlaces)
+      {
+        best.push_back(std::get<2>(place));
+      }
+    }
+    return best;
+  }
+
+  /** Inserts the vertex into the tetrahedron of these vertices and anneals around it. */
+  void
+  PutIn(VertexId vertex, const VertexQuadruple & place, Journal & journal)
+  {
+    const VertexId      any = place[0] == ExteriorVertex ? place[1] : place[0];
+    const auto          star = m_State.complex.GetStar(any);
+    const TetrahedronId id = *std::find_if(star.begin(), star.end(), [&](TetrahedronId t) {
+      return Canonical(m_State.complex.GetTetrahedron(t).vertices) == place;
+    });
+    journal.Do(m_State.operations.InsertVertex(vertex, id).replacement);
+    double       temperature = m_Parameters.initialTemperature * m_OneQuadruple;
+    const double cooling = std::pow(m_Parameters.finalTemperature / m_Parameters.initialTemperature,
+                                    1.0 / std::max(1, m_Parameters.numberOfRounds - 1));
+    for (int round = 0; round < m_Parameters.numberOfRounds; ++round, temperature *= cooling)
+    {
+      const std::vector<TetrahedronId> list = this->ListAround(vertex);
+      const std::size_t                n = list.size() * static_cast<std::size_t>(m_Parameters.proposalsPerTetrahedron);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const TetrahedronId at = list[m_State.random.Index(list.size())];
+        if (m_State.complex.IsAlive(at))
+        {
+          journal.Try(m_State.ProposeAt(at, LargestDegree), temperature);
+        }
+      }
+    }
+  }
+
+  /** The star of a vertex and the tetrahedra on its boundary. */
+  std::vector<TetrahedronId>
+  ListAround(VertexId vertex) const
+  {
+    std::vector<TetrahedronId> list = m_State.complex.GetStar(vertex);
+    for (std::size_t k = 0, n = list.size(); k < n; ++k)
+    {
+      const auto & t = m_State.complex.GetTetrahedron(list[k]);
+      list.push_back(t.neighbors[std::find(t.vertices.begin(), t.vertices.end(), vertex) - t.vertices.begin()]);
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
+
+  static constexpr std::int32_t LargestDegree = 8;
+
+  AnnealingState &                   m_State;
+  const VertexRelocationParameters & m_Parameters;
+  double                             m_OneQuadruple;
+};
+} // namespace
+
+std::size_t
+RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
+                 const ProgressFunction & progress)
+{
+  const Demand                                   demand(state.complex, *state.energy.GetReference());
+  std::vector<std::pair<std::int32_t, VertexId>> order; // most missing first
+  for (VertexId v = ExteriorVertex + 1; v < state.complex.NumberOfVertices(); ++v)
+  {
+    if (demand.missing[v] > parameters.missingShare * demand.wanted[v])
+    {
+      order.emplace_back(-demand.missing[v], v);
+    }
+  }
+  std::sort(order.begin(), order.end());
+  Relocation  relocation(state, parameters, oneQuadruple);
+  std::size_t relocated = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    Report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
+    relocated += relocation.Relocate(order[i].second) ? 1 : 0;
+  }
+  return relocated;
+}
+} // namespace tissue
