@@ -133,6 +133,7 @@ private:
   {
     m_NumberOfPoints = 0;
     m_Triangles.clear();
+    double     sixfoldVolume = 0.0;
     const auto sidesEnd = m_SidesOfCell.End(cell);
     for (auto side = m_SidesOfCell.Begin(cell); side != sidesEnd; ++side)
     {
@@ -154,8 +155,9 @@ private:
       const Point & b = m_Mesh.points[triangle[1]];
       const Point & c = m_Mesh.points[triangle[2]];
       surface.area += TriangleArea(a, b, c);
-      surface.volume += Dot(Difference(a, origin), Cross(Difference(b, origin), Difference(c, origin))) / 6.0;
+      sixfoldVolume += Dot(Difference(a, origin), Cross(Difference(b, origin), Difference(c, origin)));
     }
+    surface.volume = sixfoldVolume / 6.0;
     surface.numberOfTriangles = static_cast<std::int32_t>(m_Triangles.size());
   }
 
