@@ -11,9 +11,6 @@
 #include <string>
 #include <vector>
 
-class vtkPointSet;
-class vtkTable;
-
 namespace tissue
 {
 /** \brief Output files that appear complete and together, or not at all.
@@ -53,16 +50,6 @@ private:
   };
   std::vector<File> m_Files;
 };
-
-/** Writes VTK's XML format of the data's type (`.vtp`, `.vtu`): binary, appended, compressed by zlib; the same data
- * give the same bytes. Throws std::runtime_error. */
-void
-WriteXML(vtkPointSet * data, const std::string & path);
-
-/** Writes a table of one-component numbers as comma-separated values under a line of the column names; floating-point
- * numbers in the shortest form that reads back as the same number. Throws std::runtime_error. */
-void
-WriteCSV(vtkTable * table, const std::string & path);
 } // namespace tissue
 
 #endif

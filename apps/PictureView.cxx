@@ -18,13 +18,15 @@ namespace
 {
 /** How far above the horizon the viewer stands, as a height for each unit along both sides. */
 constexpr double elevation = 0.9;
-/** Part of the free surface that has to face a direction, the opposite one deducted, to say where up is. */
+/** How much more of the free surface, as a part of it, has to face a direction to be preferred. */
 constexpr double minimalOpenness = 0.01;
 /** Space between two drawings, as a part of their widths. */
 constexpr double gapRatio = 0.06;
 
+/** Each piece of the free surface counts by how much it faces away from the tissue's centre: the smooth round tip of a
+ * tissue more than a flat, hollow or ragged base, and what the border of the image cut off not at all. */
 Vector
-FindTissueAxis(const WallMesh & mesh, const std::vector<Cell> & cells)
+FindTissueAxis(const WallMesh & mesh, const std::vector<Cell> & cells, const Point & center)
 {
   Vector sum{};
   double totalArea = 0.0;
@@ -38,12 +40,15 @@ FindTissueAxis(const WallMesh & mesh, const std::vector<Cell> & cells)
     const std::array<PointId, 3> & triangle = mesh.triangles[t];
     const Vector                   ab = Combine(mesh.points[triangle[1]], -1.0, mesh.points[triangle[0]]);
     const Vector                   ac = Combine(mesh.points[triangle[2]], -1.0, mesh.points[triangle[0]]);
+    Vector                         fromCenter = Combine(mesh.points[triangle[0]], -1.0, center);
     Vector                         normal;
     vtkMath::Cross(ab.data(), ac.data(), normal.data());
-    sum = Combine(sum, 1.0, normal);
-    totalArea += vtkMath::Norm(normal.data());
+    vtkMath::Normalize(fromCenter.data());
+    const double area = vtkMath::Normalize(normal.data());
+    sum = Combine(sum, area * vtkMath::Dot(normal.data(), fromCenter.data()), normal);
+    totalArea += area;
   }
-  // What has no open side, a block in space, sums up to rounding errors: then the last axis.
+  // A ball or a block has no tip: then the last axis, as where two axes are about as good.
   std::size_t largest = 2;
   for (std::size_t i = 0; i < 2; ++i)
   {
@@ -65,10 +70,10 @@ Combine(const Vector & a, double factor, const Vector & b)
 }
 
 PictureView
-ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells)
+ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells, const Point & center)
 {
   PictureView  view;
-  const Vector axis = FindTissueAxis(mesh, cells);
+  const Vector axis = FindTissueAxis(mesh, cells, center);
   auto & [sideA, sideB] = view.sides;
   auto & [right, up, toViewer] = view.axes;
   sideA = { { axis[2], axis[0], axis[1] } };

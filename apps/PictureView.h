@@ -34,10 +34,10 @@ struct PictureView
 
 /** \brief A view from obliquely above, with the tissue upright.
  *
- * The tissue's axis is the axis of space that its free surface faces most: the surface of those cells that the border
- * of the image does not cut. */
+ * The tissue's axis is the axis of space that its rounded tip points to, as its free surface tells; `center` is the
+ * centre of the tissue. */
 PictureView
-ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells);
+ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells, const Point & center);
 
 /** A box along the axes of a view. */
 struct ViewBox

@@ -92,15 +92,15 @@ FindCellsWithTriangles(const WallMesh & mesh, VertexId numberOfVertices)
   return cells;
 }
 
-/** Fills the drawings with the tissue cut open and with the tissue drawn apart. */
-void
-DrawTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const PictureView & view, CellDrawing & cut,
-           CellDrawing & apart)
+/** Fills the drawings with the tissue cut open and with the tissue drawn apart; returns how to look at them. */
+PictureView
+DrawTissue(const WallMesh & mesh, const std::vector<Cell> & cells, CellDrawing & cut, CellDrawing & apart)
 {
   const VertexId              numberOfVertices = static_cast<VertexId>(cells.size());
   const std::vector<Color>    colors = ChooseCellColors(mesh, numberOfVertices);
   const std::vector<VertexId> shown = FindCellsWithTriangles(mesh, numberOfVertices);
   const Point                 center = FindCenter(cells, shown);
+  const PictureView           view = ChooseView(mesh, cells, center);
   for (const VertexId v : shown)
   {
     const Vector fromCenter = Combine(cells[v].center, -1.0, center);
@@ -108,10 +108,11 @@ DrawTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const Picture
                           vtkMath::Dot(fromCenter.data(), view.sides[1].data()) > 0.0;
     if (!isCutOut)
     {
-      cut.Add(v, { { 0.0, 0.0, 0.0 } }, colors[v]);
+      cut.Add(v, Vector{}, colors[v]);
     }
-    apart.Add(v, Combine({ { 0.0, 0.0, 0.0 } }, explosion, fromCenter), colors[v]);
+    apart.Add(v, Combine(Vector{}, explosion, fromCenter), colors[v]);
   }
+  return view;
 }
 
 void
@@ -266,10 +267,9 @@ WriteWallMeshPicture(const WallMesh & mesh, const std::vector<Cell> & cells, con
                      const WallMeshPictureOptions & options)
 {
   RequireDrawable(mesh, cells, options);
-  const PictureView view = ChooseView(mesh, cells);
-  CellDrawing       cut(mesh, static_cast<VertexId>(cells.size()));
-  CellDrawing       apart(mesh, static_cast<VertexId>(cells.size()));
-  DrawTissue(mesh, cells, view, cut, apart);
+  CellDrawing         cut(mesh, static_cast<VertexId>(cells.size()));
+  CellDrawing         apart(mesh, static_cast<VertexId>(cells.size()));
+  const PictureView   view = DrawTissue(mesh, cells, cut, apart);
   const PictureLayout layout =
     PlaceSideBySide(view, FindBox(view, cut.GetSurfaces()), FindBox(view, apart.GetSurfaces()));
 

@@ -33,8 +33,8 @@ FindPictureObstacle();
  *
  * From the tissue on the left the cells are left out whose centres lie in the quarter that is turned to the viewer; on
  * the right each cell is moved away from the tissue's centre, its size unchanged. Both are at one scale, in parallel
- * projection, with one scale bar. Up is the axis of the image that the free surface of the tissue faces most, so that a
- * meristem stands upright. No two neighbours have a similar colour, triple lines are drawn dark. The same input gives
+ * projection, with one scale bar. Up is the axis of space that the tissue's rounded tip points to, so that a meristem
+ * stands upright. No two neighbours have a similar colour, triple lines are drawn dark. The same input gives
  * the same bytes on the same machine.
  *
  * \throws std::runtime_error where FindPictureObstacle() has something to say, where the mesh has no

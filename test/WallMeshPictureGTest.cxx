@@ -6,8 +6,8 @@
  *=========================================================================*/
 #include "WallMeshPicture.h"
 
-#include "CellColors.h"
 #include "FourCubes.h"
+#include "TemporaryFolder.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -17,42 +17,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
-namespace
-{
-namespace fs = std::filesystem;
+using WallMeshPictureTest = TemporaryFolderTest;
 
-std::string
-ReadBytes(const std::string & path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-}
-
-std::string
-PathOf(const std::string & name)
-{
-  return (fs::temp_directory_path() / ("TissueTessellation" + name)).string();
-}
-} // namespace
-
-TEST(WallMeshPicture, NeighborsHaveDifferentColors)
-{
-  const FourCubes tissue;
-  const auto      colors = tissue::ChooseCellColors(tissue.mesh, 5);
-  for (const auto & wall : tissue.mesh.walls)
-  {
-    if (wall.cells[1] != tissue::ExteriorVertex)
-    {
-      EXPECT_NE(colors[wall.cells[0]], colors[wall.cells[1]]);
-    }
-  }
-}
-
-TEST(WallMeshPicture, ShowsTheCellsOnWhiteAndTwiceTheSame)
+TEST_F(WallMeshPictureTest, ShowsTheCellsOnWhiteAndTwiceTheSame)
 {
   const std::string obstacle = tissue::FindPictureObstacle();
   if (!obstacle.empty())
@@ -63,8 +32,8 @@ TEST(WallMeshPicture, ShowsTheCellsOnWhiteAndTwiceTheSame)
   tissue::WallMeshPictureOptions options;
   options.width = 320;
   options.height = 180;
-  const std::string first = PathOf("PictureFirst.png");
-  const std::string second = PathOf("PictureSecond.png");
+  const std::string first = PathOf("first.png");
+  const std::string second = PathOf("second.png");
   tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, first, options);
   tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, second, options);
   EXPECT_EQ(ReadBytes(first), ReadBytes(second));
@@ -95,11 +64,9 @@ TEST(WallMeshPicture, ShowsTheCellsOnWhiteAndTwiceTheSame)
   // The tissue cut open is on the left, the larger one that is drawn apart on the right.
   EXPECT_GT(countInk(0, 140, 40, 180), 2000);
   EXPECT_GT(countInk(180, 320, 0, 180), countInk(0, 140, 40, 180));
-  fs::remove(first);
-  fs::remove(second);
 }
 
-TEST(WallMeshPicture, WhatCannotBeDrawnIsRefused)
+TEST_F(WallMeshPictureTest, WhatCannotBeDrawnIsRefused)
 {
   if (!tissue::FindPictureObstacle().empty())
   {
@@ -108,14 +75,14 @@ TEST(WallMeshPicture, WhatCannotBeDrawnIsRefused)
   const FourCubes                tissue;
   tissue::WallMeshPictureOptions options;
   options.height = 63;
-  const std::string path = PathOf("PictureRefused.png");
+  const std::string path = PathOf("refused.png");
   EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, path, options), std::runtime_error);
   EXPECT_THROW(tissue::WriteWallMeshPicture(tissue::WallMesh(), tissue.cells, path), std::runtime_error);
-  EXPECT_FALSE(fs::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 #ifdef __linux__
-TEST(WallMeshPicture, WithoutADisplayItSaysWhatToDo)
+TEST_F(WallMeshPictureTest, WithoutADisplayItSaysWhatToDo)
 {
   const char *      display = std::getenv("DISPLAY");
   const std::string before = display ? display : "";
@@ -123,7 +90,7 @@ TEST(WallMeshPicture, WithoutADisplayItSaysWhatToDo)
   EXPECT_NE(tissue::FindPictureObstacle().find("':4711' (DISPLAY) cannot be opened"), std::string::npos);
   EXPECT_NE(tissue::FindPictureObstacle().find("xvfb-run -a"), std::string::npos);
   const FourCubes tissue;
-  EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, PathOf("None.png")), std::runtime_error);
+  EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, PathOf("none.png")), std::runtime_error);
   display ? setenv("DISPLAY", before.c_str(), 1) : unsetenv("DISPLAY");
 }
 #endif
