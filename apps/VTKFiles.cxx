@@ -1,0 +1,101 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "VTKFiles.h"
+
+#include "WriteOrThrow.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+#include <vtkXMLDataObjectWriter.h>
+#include <vtkXMLWriter.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+namespace tissue
+{
+namespace
+{
+void
+AppendValue(std::string & row, vtkDataArray * column, vtkIdType index)
+{
+  if (column->GetDataType() != VTK_DOUBLE)
+  {
+    row += std::to_string(column->GetVariantValue(index).ToTypeInt64());
+    return;
+  }
+  char       text[32];
+  const auto end = std::to_chars(text, text + sizeof(text), column->GetComponent(index, 0)).ptr;
+  row.append(text, end);
+}
+/** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
+void
+ClearNotes(vtkFieldData * arrays)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    arrays->GetAbstractArray(i)->GetInformation()->Clear();
+  }
+}
+} // namespace
+
+void
+WriteXML(vtkPointSet * data, const std::string & path)
+{
+  ClearNotes(data->GetPointData());
+  ClearNotes(data->GetCellData());
+  ClearNotes(data->GetFieldData());
+  data->GetPoints()->GetData()->GetInformation()->Clear();
+  const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
+  if (!writer)
+  {
+    throw std::runtime_error(std::string("VTK has no XML format for a ") + data->GetClassName());
+  }
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  WriteOrThrow(writer.Get(), path);
+}
+
+void
+WriteCSV(vtkTable * table, const std::string & path)
+{
+  std::string text;
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    text += (column == 0 ? "" : ",") + std::string(table->GetColumnName(column));
+  }
+  text += '\n';
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    {
+      text += column == 0 ? "" : ",";
+      AppendValue(text, vtkDataArray::SafeDownCast(table->GetColumn(column)), row);
+    }
+    text += '\n';
+  }
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error(std::strerror(errno));
+  }
+}
+} // namespace tissue

@@ -1,0 +1,28 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef VTKFiles_h
+#define VTKFiles_h
+
+#include <string>
+
+class vtkPointSet;
+class vtkTable;
+
+namespace tissue
+{
+/** Writes VTK's XML format of the data's type (`.vtp`, `.vtu`): binary, appended, compressed by zlib; the same data
+ * give the same bytes. Throws std::runtime_error. */
+void
+WriteXML(vtkPointSet * data, const std::string & path);
+
+/** Writes a table of one-component numbers as comma-separated values under a line of the column names; floating-point
+ * numbers in the shortest form that reads back as the same number. Throws std::runtime_error. */
+void
+WriteCSV(vtkTable * table, const std::string & path);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,234 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationVTKBridge.h"
+
+#include "FourCubes.h"
+
+#include <vtkCell.h>
+#include <vtkIdList.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+
+// All figures are derived by hand, see FourCubes.
+
+namespace
+{
+using tissue::Point;
+
+double
+GetValue(vtkDataSetAttributes * attributes, const char * name, vtkIdType row, int component = 0)
+{
+  vtkDataArray * array = attributes->GetArray(name);
+  EXPECT_NE(array, nullptr) << name;
+  return array ? array->GetComponent(row, component) : -1e9;
+}
+
+std::string
+GetSpace(vtkDataObject * data)
+{
+  auto * array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SPACE"));
+  return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : "";
+}
+
+/** Six times the volume of the tetrahedron of a triangle and a point. */
+double
+SpatProduct(const double * a, const double * b, const double * c, const double * from)
+{
+  double u[3];
+  double v[3];
+  double w[3];
+  double normal[3];
+  vtkMath::Subtract(a, from, u);
+  vtkMath::Subtract(b, from, v);
+  vtkMath::Subtract(c, from, w);
+  vtkMath::Cross(v, w, normal);
+  return vtkMath::Dot(u, normal);
+}
+
+double
+SpatProduct(vtkPointSet * data, vtkIdList * triangle, const double * from)
+{
+  Point corners[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    data->GetPoint(triangle->GetId(i), corners[i].data());
+  }
+  return SpatProduct(corners[0].data(), corners[1].data(), corners[2].data(), from);
+}
+} // namespace
+
+TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
+{
+  const FourCubes tissue;
+  const auto      walls = tissue::MakeWallPolyData(tissue.mesh, tissue.cells);
+  ASSERT_EQ(walls->GetNumberOfPoints(), 18);
+  ASSERT_EQ(walls->GetNumberOfPolys(), 40);
+  EXPECT_EQ(GetSpace(walls), "LPS");
+  vtkCellData * data = walls->GetCellData();
+  ASSERT_NE(data->GetScalars(), nullptr);
+  EXPECT_STREQ(data->GetScalars()->GetName(), "Label");
+  EXPECT_EQ(data->GetScalars()->GetNumberOfComponents(), 1);
+  ASSERT_NE(data->GetArray("BoundaryLabels"), nullptr);
+  EXPECT_EQ(data->GetArray("BoundaryLabels")->GetNumberOfComponents(), 2);
+
+  std::map<int, int> trianglesOfWall;
+  for (vtkIdType t = 0; t < 40; ++t)
+  {
+    const double first = GetValue(data, "BoundaryLabels", t, 0);
+    const double second = GetValue(data, "BoundaryLabels", t, 1);
+    EXPECT_EQ(GetValue(data, "Label", t), first);
+    EXPECT_NE(first, 7.0);
+    EXPECT_TRUE(second == 7.0 || first < second);
+    EXPECT_DOUBLE_EQ(GetValue(data, "WallArea", t), second == 7.0 ? 4.0 : 1.0);
+    ++trianglesOfWall[static_cast<int>(GetValue(data, "WallId", t))];
+  }
+  std::map<int, int> wallsOfSize;
+  for (const auto & wall : trianglesOfWall)
+  {
+    ++wallsOfSize[wall.second];
+  }
+  EXPECT_EQ(wallsOfSize, (std::map<int, int>{ { 2, 4 }, { 8, 4 } }));
+
+  std::map<int, int> pointsOfNumber;
+  for (vtkIdType p = 0; p < 18; ++p)
+  {
+    ++pointsOfNumber[static_cast<int>(GetValue(walls->GetPointData(), "NumberOfCells", p))];
+  }
+  EXPECT_EQ(pointsOfNumber, (std::map<int, int>{ { 2, 8 }, { 3, 8 }, { 5, 2 } }));
+}
+
+TEST(TissueTessellationVTKBridge, NormalsPointFromTheFirstLabelToTheSecond)
+{
+  const FourCubes tissue;
+  const auto      walls = tissue::MakeWallPolyData(tissue.mesh, tissue.cells);
+  for (vtkIdType t = 0; t < walls->GetNumberOfCells(); ++t)
+  {
+    const auto    vertexOf = [](double label) { return static_cast<int>(label / 10.0); };
+    const double  second = GetValue(walls->GetCellData(), "BoundaryLabels", t, 1);
+    vtkIdList *   ids = walls->GetCell(t)->GetPointIds();
+    const Point & inside = tissue.cells[vertexOf(GetValue(walls->GetCellData(), "Label", t))].center;
+    EXPECT_GT(SpatProduct(walls, ids, inside.data()), 0.0);
+    if (second != 7.0)
+    {
+      EXPECT_LT(SpatProduct(walls, ids, tissue.cells[vertexOf(second)].center.data()), 0.0);
+    }
+  }
+}
+
+TEST(TissueTessellationVTKBridge, LabelsKeepTheirSixtyFourBits)
+{
+  FourCubes tissue;
+  tissue.cells[4].label = (std::int64_t(1) << 53) + 1; // has no double
+  const auto walls = tissue::MakeWallPolyData(tissue.mesh, tissue.cells);
+  auto *     labels = vtkTypeInt64Array::SafeDownCast(walls->GetCellData()->GetScalars());
+  ASSERT_NE(labels, nullptr);
+  EXPECT_EQ(labels->GetValue(39), tissue.cells[4].label);
+}
+
+TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
+{
+  const FourCubes tissue;
+  const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
+  const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check);
+  ASSERT_EQ(grid->GetNumberOfCells(), 4);
+  EXPECT_EQ(GetSpace(grid), "LPS");
+  vtkCellData * data = grid->GetCellData();
+  EXPECT_STREQ(data->GetScalars()->GetName(), "Label");
+  for (vtkIdType c = 0; c < 4; ++c)
+  {
+    vtkCell * polyhedron = grid->GetCell(c);
+    ASSERT_EQ(polyhedron->GetCellType(), VTK_POLYHEDRON);
+    EXPECT_EQ(polyhedron->GetNumberOfPoints(), 8);
+    ASSERT_EQ(polyhedron->GetNumberOfFaces(), 12);
+    double volume = 0.0;
+    for (int f = 0; f < 12; ++f)
+    {
+      const double origin[3] = { 0.0, 0.0, 0.0 };
+      volume += SpatProduct(grid, polyhedron->GetFace(f)->GetPointIds(), origin) / 6.0;
+    }
+    EXPECT_DOUBLE_EQ(volume, 1.0);
+    EXPECT_EQ(GetValue(data, "Label", c), 10.0 * (c + 1));
+    EXPECT_EQ(GetValue(data, "CenterX", c), tissue.cells[c + 1].center[0]);
+    EXPECT_EQ(GetValue(data, "CenterY", c), tissue.cells[c + 1].center[1]);
+    EXPECT_EQ(GetValue(data, "CenterZ", c), 0.5);
+    EXPECT_DOUBLE_EQ(GetValue(data, "Volume", c), 1.0);
+    EXPECT_EQ(GetValue(data, "ImageVolume", c), 0.875);
+    EXPECT_DOUBLE_EQ(GetValue(data, "SurfaceArea", c), 6.0);
+    EXPECT_EQ(GetValue(data, "NumberOfNeighbors", c), 2.0); // those across the edge share no wall
+    EXPECT_EQ(GetValue(data, "NumberOfTriangles", c), 12.0);
+    EXPECT_EQ(GetValue(data, "EulerCharacteristic", c), 2.0);
+    EXPECT_EQ(GetValue(data, "IsClosed", c), 1.0);
+    EXPECT_EQ(GetValue(data, "TouchesExterior", c), 1.0);
+    EXPECT_EQ(GetValue(data, "TouchesBorder", c), c == 2 ? 1.0 : 0.0);
+    EXPECT_EQ(GetValue(data, "NumberOfPieces", c), c == 3 ? 3.0 : 1.0);
+    EXPECT_EQ(GetValue(data, "NumberOfVoxels", c), 1001.0 + c);
+    EXPECT_EQ(GetValue(data, "NumberOfStrayVoxels", c), c == 3 ? 5.0 : 0.0);
+  }
+}
+
+TEST(TissueTessellationVTKBridge, ACellWithoutTrianglesHasARowButNoPolyhedron)
+{
+  FourCubes tissue;
+  tissue.cells.insert(tissue.cells.end(), tissue::Cell());
+  tissue.cells[5].label = 50;
+  const auto check = tissue::CheckCellSurfaces(tissue.mesh, 6);
+  EXPECT_EQ(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check)->GetNumberOfCells(), 4);
+  const auto table = tissue::MakeCellTable(tissue.mesh, tissue.cells, check);
+  ASSERT_EQ(table->GetNumberOfRows(), 5);
+  EXPECT_EQ(GetValue(table->GetRowData(), "Label", 4), 50.0);
+  EXPECT_EQ(GetValue(table->GetRowData(), "NumberOfTriangles", 4), 0.0);
+  EXPECT_EQ(GetValue(table->GetRowData(), "IsClosed", 4), 0.0);
+}
+
+TEST(TissueTessellationVTKBridge, TetrahedraWithTheExteriorAreTrianglesOfTheSurface)
+{
+  FourCubes tissue;
+  tissue.cells[4].center[2] = 1.5; // off the plane of the three others
+  const std::vector<tissue::VertexQuadruple> complex{
+    { { 1, 2, 3, 4 } }, { { 0, 1, 2, 3 } }, { { 0, 1, 2, 4 } }, { { 0, 1, 3, 4 } }, { { 0, 2, 3, 4 } }
+  };
+  for (const double mirrored : { 1.5, -0.5 })
+  {
+    tissue.cells[4].center[2] = mirrored;
+    const auto grid = tissue::MakeComplexGrid(complex, tissue.cells);
+    ASSERT_EQ(grid->GetNumberOfPoints(), 4);
+    ASSERT_EQ(grid->GetNumberOfCells(), 5);
+    EXPECT_EQ(GetSpace(grid), "LPS");
+    EXPECT_EQ(GetValue(grid->GetPointData(), "Label", 2), 30.0);
+    ASSERT_EQ(grid->GetCellType(0), VTK_TETRA);
+    Point corners[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      grid->GetPoint(grid->GetCell(0)->GetPointId(i), corners[i].data());
+      EXPECT_EQ(GetValue(grid->GetCellData(), "Labels", 0, i), 10.0 * (i + 1));
+    }
+    EXPECT_GT(SpatProduct(corners[1].data(), corners[2].data(), corners[3].data(), corners[0].data()), 0.0);
+    for (vtkIdType c = 1; c < 5; ++c)
+    {
+      EXPECT_EQ(grid->GetCellType(c), VTK_TRIANGLE);
+      EXPECT_EQ(GetValue(grid->GetCellData(), "Labels", c, 0), 7.0);
+    }
+    EXPECT_EQ(GetValue(grid->GetCellData(), "Labels", 2, 3), 40.0);
+    EXPECT_EQ(grid->GetCell(2)->GetPointId(2), 3);
+  }
+}
+
+TEST(TissueTessellationVTKBridge, WhatDoesNotFitTogetherIsRefused)
+{
+  FourCubes  tissue;
+  const auto check = tissue::CheckCellSurfaces(tissue.mesh, 5);
+  EXPECT_THROW(tissue::MakeComplexGrid({ { { 1, 2, 3, 5 } } }, tissue.cells), std::invalid_argument);
+  EXPECT_THROW(tissue::MakeComplexGrid({ { { -1, 2, 3, 4 } } }, tissue.cells), std::invalid_argument);
+  tissue.cells.push_back(tissue::Cell());
+  EXPECT_THROW(tissue::MakeCellTable(tissue.mesh, tissue.cells, check), std::invalid_argument);
+  tissue.cells.resize(4);
+  EXPECT_THROW(tissue::MakeWallPolyData(tissue.mesh, tissue.cells), std::invalid_argument);
+  EXPECT_THROW(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check), std::invalid_argument);
+}
