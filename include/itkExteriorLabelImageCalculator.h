@@ -19,9 +19,9 @@ namespace itk
  * \brief Guesses which label of a segmented image stands for the exterior of the tissue.
  *
  * Label 0 is taken for background in any case; in question is whether another label is the exterior, as 1 is in the
- * images of MARS and DRACO-STEM. Lines of sight enter the image from its border, along the axes, at no more than 32 x 32
- * points of each of its six sides, pass through label 0, and end at the first other label. The label seen most often is
- * the exterior if
+ * images of MARS and DRACO-STEM. Lines of sight enter the image from its border, along the axes, at no more than 32 x
+ * 32 points of each of its six sides, pass through label 0, and end at the first other label. The label seen most often
+ * is the exterior if
  * - it is seen by an eighth of the lines or more (one side of a cube is a sixth of its border), and four times as often
  *   as any other label; a crop from within a tissue, where each cell has its small share, has no such label; or
  * - where most lines start in label 0, it is seen by at least 95 % of the lines that see anything: a padding of 0
@@ -80,7 +80,8 @@ private:
 
   /** Follows a line of sight of the given number of pixels. */
   void
-  Look(const typename LabelImageType::PixelType * pixel, OffsetValueType stride, SizeValueType length, Sights & sights) const;
+  Look(const typename LabelImageType::PixelType * pixel, OffsetValueType stride, SizeValueType length,
+       Sights & sights) const;
 
   /** Follows the lines from both sides along an axis. */
   void

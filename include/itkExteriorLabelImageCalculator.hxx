@@ -34,8 +34,7 @@ ExteriorLabelImageCalculator<TLabelImage>::Compute()
     most = std::max(most, number);
   }
   const bool isPadded = 2 * sights.numberOfLinesFromZero > sights.numberOfLines;
-  const bool dominates =
-    isPadded ? 20 * most >= 19 * total : 8 * most >= sights.numberOfLines && most >= 4 * second;
+  const bool dominates = isPadded ? 20 * most >= 19 * total : 8 * most >= sights.numberOfLines && most >= 4 * second;
   m_HasExteriorLabel = candidate != 0 && dominates;
   m_ExteriorLabel = m_HasExteriorLabel ? candidate : 0;
 }
@@ -51,7 +50,7 @@ ExteriorLabelImageCalculator<TLabelImage>::LookAlong(unsigned int axis, Sights &
   const unsigned int    u = (axis + 1) % 3;
   const unsigned int    v = (axis + 2) % 3;
   const OffsetValueType stride = m_Image->GetOffsetTable()[axis];
-  const auto stepOf = [&size](unsigned int i) { return (size[i] + pointsPerAxis - 1) / pointsPerAxis; };
+  const auto            stepOf = [&size](unsigned int i) { return (size[i] + pointsPerAxis - 1) / pointsPerAxis; };
   for (SizeValueType i = 0; i < size[u] && size[axis] > 0; i += stepOf(u))
   {
     for (SizeValueType j = 0; j < size[v]; j += stepOf(v))
@@ -69,9 +68,7 @@ ExteriorLabelImageCalculator<TLabelImage>::LookAlong(unsigned int axis, Sights &
 template <typename TLabelImage>
 void
 ExteriorLabelImageCalculator<TLabelImage>::Look(const typename LabelImageType::PixelType * pixel,
-                                                OffsetValueType                            stride,
-                                                SizeValueType                              length,
-                                                Sights &                                   sights) const
+                                                OffsetValueType stride, SizeValueType length, Sights & sights) const
 {
   const auto isTransparent = [this](auto value) { return value == 0 && !m_ZeroIsCell; };
   ++sights.numberOfLines;

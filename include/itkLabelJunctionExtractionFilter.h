@@ -32,11 +32,11 @@ namespace itk
  * label 0, unless it is asked to be a cell. Several such labels are one exterior.
  *
  * The image is split along its last axis among the threads and streamed row by row, as runs of equal labels: time is
- * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of the
- * blocks of four and more labels. The output is the same for any number of threads.
+ * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of
+ * the blocks of four and more labels. The output is the same for any number of threads.
  *
- * Errors (ExceptionObject): an exterior label set that the image does not have, fewer than four cells, a label above the
- * range of 64 bits signed.
+ * Errors (ExceptionObject): an exterior label set that the image does not have, fewer than four cells, a label above
+ * the range of 64 bits signed.
  *
  * G. Cerutti, S. Ribes, C. Galvan-Ampudia, T. Vernoux, C. Godin: 3-D tessellation of plant tissue. A dual optimization
  * approach to cell-level meristem reconstruction from microscopy images. 3DV 2015.
@@ -115,6 +115,9 @@ private:
 
   void
   ScanImageRow(const LabelPixelType * row, SizeValueType size, tissue::BlockScan & scan) const;
+
+  void
+  AddRun(LabelPixelType pixel, SizeValueType end, tissue::BlockScan & scan) const;
 
   /** Throws if the exterior label is absent or there are too few cells. */
   void

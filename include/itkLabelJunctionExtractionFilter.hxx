@@ -12,6 +12,9 @@
 #include "TissueTessellationCore/BlockScan.h"
 #include "TissueTessellationCore/GatherJunctions.h"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <memory>
@@ -165,48 +168,56 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanPlane(IndexValueType plane, tiss
 
 template <typename TLabelImage>
 void
-LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * row,
-                                                         SizeValueType          size,
-                                                         tissue::BlockScan &    scan) const
+LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * row, SizeValueType size,
+                                                         tissue::BlockScan & scan) const
 {
-  // Long runs are skipped by pieces that the compiler makes a few vector instructions.
-  constexpr SizeValueType step = 16;
-  for (SizeValueType x = 0; x < size;)
+  // The ends of runs are marked by vector instructions, then searched for by others.
+  constexpr SizeValueType              chunkSize = 256;
+  std::array<unsigned char, chunkSize> isEnd;
+  for (SizeValueType begin = 0; begin < size; begin += chunkSize)
   {
-    const LabelPixelType pixel = row[x];
-    if (std::is_unsigned<LabelPixelType>::value && sizeof(LabelPixelType) >= sizeof(tissue::Label) &&
-        pixel > static_cast<LabelPixelType>(std::numeric_limits<tissue::Label>::max()))
+    const LabelPixelType * const chunk = row + begin;
+    // The last voxel of the row always ends a run.
+    const SizeValueType number = std::min(chunkSize, size - 1 - begin);
+    for (SizeValueType i = 0; i < number; ++i)
     {
-      itkExceptionMacro(<< "Label " << pixel << " is above the limit of " << std::numeric_limits<tissue::Label>::max());
+      isEnd[i] = chunk[i] != chunk[i + 1];
     }
-    bool isUniform = true;
-    while (isUniform && x + step <= size)
+    const unsigned char * end = isEnd.data();
+    while ((end = static_cast<const unsigned char *>(std::memchr(end, 1, isEnd.data() + number - end))) != nullptr)
     {
-      for (SizeValueType i = 0; i < step; ++i)
-      {
-        isUniform &= row[x + i] == pixel;
-      }
-      x += isUniform ? step : 0;
+      const auto i = end - isEnd.data();
+      this->AddRun(chunk[i], begin + i + 1, scan);
+      ++end;
     }
-    while (x < size && row[x] == pixel)
-    {
-      ++x;
-    }
-    scan.AddRun(static_cast<tissue::Label>(pixel), static_cast<std::int32_t>(x + 1));
   }
+  this->AddRun(row[size - 1], size, scan);
+}
+
+template <typename TLabelImage>
+void
+LabelJunctionExtractionFilter<TLabelImage>::AddRun(LabelPixelType pixel, SizeValueType end,
+                                                   tissue::BlockScan & scan) const
+{
+  constexpr tissue::Label limit = std::numeric_limits<tissue::Label>::max();
+  if (std::is_unsigned<LabelPixelType>::value && sizeof(LabelPixelType) >= sizeof(tissue::Label) &&
+      pixel > static_cast<LabelPixelType>(limit))
+  {
+    itkExceptionMacro(<< "Label " << pixel << " is above the limit of " << limit);
+  }
+  scan.AddRun(static_cast<tissue::Label>(pixel), static_cast<std::int32_t>(end + 1));
 }
 
 template <typename TLabelImage>
 void
 LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const std::vector<const tissue::BlockScan *> & scans,
-                                                       const tissue::JunctionSet & junctions) const
+                                                       const tissue::JunctionSet &                    junctions) const
 {
   const auto hasLabel = [this](const tissue::BlockScan * scan) { return scan->GetLabels().HasMet(m_ExteriorLabel); };
   if (!m_AutomaticExteriorLabel && std::none_of(scans.cbegin(), scans.cend(), hasLabel))
   {
     itkExceptionMacro(<< "The exterior label " << m_ExteriorLabel << " is not a label of the image, which has "
-                      << junctions.cells.size() - 1 << " labels"
-                      << (m_ZeroIsCell ? "" : " other than 0"));
+                      << junctions.cells.size() - 1 << " labels" << (m_ZeroIsCell ? "" : " other than 0"));
   }
   constexpr std::size_t minimum = 4;
   if (junctions.cells.size() - 1 < minimum)

@@ -7,28 +7,52 @@
 #include "TissueTessellationCore/BlockScan.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tissue
 {
 namespace
 {
 /** Most blocks at a wall hold two cells and are of no interest: a test without branches. */
-template <std::size_t VSize>
 bool
-HasThreeCells(const std::array<VertexId, VSize> & voxels)
+HasThreeCells(const std::array<VertexId, 8> & voxels)
 {
-  const VertexId first = voxels[0];
-  VertexId       second = first;
+  VertexId smallest = voxels[0];
+  VertexId largest = voxels[0];
   for (const VertexId cell : voxels)
   {
-    second = cell != first ? cell : second;
+    smallest = std::min(smallest, cell);
+    largest = std::max(largest, cell);
   }
-  bool third = false;
+  bool isThird = false;
   for (const VertexId cell : voxels)
   {
-    third |= (cell != first) & (cell != second);
+    isThird |= (cell != smallest) & (cell != largest);
   }
-  return third;
+  return isThird;
+}
+
+/** Writes the cells of a block in ascending order, each once, and gives their number. */
+int
+FindCells(const VertexId * voxels, int numberOfVoxels, std::array<VertexId, 8> & cells)
+{
+  constexpr VertexId none = std::numeric_limits<VertexId>::max();
+  int                count = 0;
+  VertexId           last = -1;
+  for (;;)
+  {
+    VertexId next = none;
+    for (int i = 0; i < numberOfVoxels; ++i)
+    {
+      next = std::min(next, voxels[i] > last ? voxels[i] : none);
+    }
+    if (next == none)
+    {
+      return count;
+    }
+    cells[count++] = next;
+    last = next;
+  }
 }
 
 /** Sum of begin, ..., end - 1. */
@@ -216,17 +240,7 @@ void
 BlockScan::AddBlocks(const VertexId * voxels, int numberOfVoxels, std::int32_t begin, std::int32_t end)
 {
   std::array<VertexId, 8> cells;
-  int                     count = 0;
-  for (int i = 0; i < numberOfVoxels; ++i)
-  {
-    VertexId * const position = std::lower_bound(cells.data(), cells.data() + count, voxels[i]);
-    if (position == cells.data() + count || *position != voxels[i])
-    {
-      std::copy_backward(position, cells.data() + count, cells.data() + count + 1);
-      *position = voxels[i];
-      ++count;
-    }
-  }
+  const int               count = FindCells(voxels, numberOfVoxels, cells);
   m_NumberOfCrowdedBlocks += count > 4 ? end - begin : 0;
   for (int i = 0; i < count; ++i)
   {

@@ -100,7 +100,8 @@ ClusterJunctions(std::vector<Quadruple> quadruples)
   std::vector<Junction> junctions;
   for (auto begin = quadruples.cbegin(); begin != quadruples.cend();)
   {
-    const auto end = std::find_if(begin, quadruples.cend(), [&](const Quadruple & q) { return q.cells != begin->cells; });
+    const auto end =
+      std::find_if(begin, quadruples.cend(), [&](const Quadruple & q) { return q.cells != begin->cells; });
     junctions.push_back(MakeJunction(begin, end));
     begin = end;
   }

@@ -264,7 +264,8 @@ GatherQuadruples(const Scans & scans, const VertexMaps & maps)
 } // namespace
 
 JunctionSet
-GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point & spacing, const ExteriorLabels & exterior)
+GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point & spacing,
+                const ExteriorLabels & exterior)
 {
   JunctionSet      set;
   const VertexMaps maps = MakeCells(scans, exterior, set.cells);

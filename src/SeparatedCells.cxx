@@ -17,8 +17,7 @@ AreNear(const Cell & a, const Cell & b, double reach)
 {
   constexpr double ballOfUnitRadius = 4.1887902047863905;
   const double     radii = std::cbrt(a.volume / ballOfUnitRadius) + std::cbrt(b.volume / ballOfUnitRadius);
-  const double     distance =
-    std::hypot(a.center[0] - b.center[0], a.center[1] - b.center[1], a.center[2] - b.center[2]);
+  const double distance = std::hypot(a.center[0] - b.center[0], a.center[1] - b.center[1], a.center[2] - b.center[2]);
   return distance <= reach * radii;
 }
 } // namespace

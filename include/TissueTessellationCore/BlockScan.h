@@ -18,8 +18,8 @@ namespace tissue
 {
 /** \brief Gathers cells, walls, triple lines and junctions from consecutive planes of a label image, row by row.
  *
- * Rows come as runs of equal labels, so the cost is that of the runs, not of the voxels, and only two planes of runs are
- * held. All sums are of integers: they do not depend on how the image was split among scans.
+ * Rows come as runs of equal labels, so the cost is that of the runs, not of the voxels, and only two planes of runs
+ * are held. All sums are of integers: they do not depend on how the image was split among scans.
  *
  * Coordinates are *padded*: the image lies at 1 ... size within a border of one voxel of exterior, 0 and size + 1. The
  * corner (x, y, z) is the one shared by the eight voxels of the block (x - 1 ... x, y - 1 ... y, z - 1 ... z).

@@ -14,7 +14,8 @@
 
 namespace tissue
 {
-/** Union-find over 0, 1, 2, ... The representative of a set is its smallest element, whatever the order of the unions. */
+/** Union-find over 0, 1, 2, ... The representative of a set is its smallest element, whatever the order of the unions.
+ */
 class DisjointSets
 {
 public:

@@ -22,13 +22,11 @@ namespace tissue
  * outside of the image is the only exterior, a label that no cell has: the first free one of 0, -1, -2, ...
  * \return the junction set, its points as continuous indices of the image, whose first voxel is (0, 0, 0). */
 JunctionSet
-GatherJunctions(const std::vector<const BlockScan *> & scans,
-                const BlockScan::Index &               size,
-                const Point &                          spacing,
-                const ExteriorLabels &                 exterior);
+GatherJunctions(const std::vector<const BlockScan *> & scans, const BlockScan::Index & size, const Point & spacing,
+                const ExteriorLabels & exterior);
 
-/** The junctions of the given quadruples of cells (any order, as vertices of the complex), in ascending order; positions
- * as continuous indices. */
+/** The junctions of the given quadruples of cells (any order, as vertices of the complex), in ascending order;
+ * positions as continuous indices. */
 std::vector<Junction>
 ClusterJunctions(std::vector<BlockScan::Quadruple> quadruples);
 } // namespace tissue

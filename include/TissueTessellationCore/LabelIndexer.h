@@ -17,7 +17,8 @@ namespace tissue
 /** The labels of an image that stand for the exterior. */
 struct ExteriorLabels
 {
-  /** False: no label of the image is the exterior, which is then the outside of the image, and 0 unless it is a cell. */
+  /** False: no label of the image is the exterior, which is then the outside of the image, and 0 unless it is a cell.
+   */
   bool  hasLabel = false;
   Label label = 0;
   bool  zeroIsCell = false;

@@ -36,7 +36,7 @@ public:
   TValue &
   operator[](const Key & key)
   {
-    if (m_Last < m_Entries.size() && m_Entries[m_Last].key == key)
+    if (m_Last < m_Entries.size() && AreEqual(m_Entries[m_Last].key, key))
     {
       return m_Entries[m_Last].value;
     }
@@ -62,6 +62,18 @@ public:
   }
 
 private:
+  /** The operator of std::array may call memcmp, which takes longer than the comparison. */
+  static bool
+  AreEqual(const Key & a, const Key & b)
+  {
+    VertexId difference = 0;
+    for (std::size_t i = 0; i < VLength; ++i)
+    {
+      difference |= a[i] ^ b[i];
+    }
+    return difference == 0;
+  }
+
   /** The slot that holds the key, or the empty one where it belongs. */
   std::size_t
   FindSlot(const Key & key) const
@@ -74,7 +86,7 @@ private:
     }
     const std::size_t mask = m_Slots.size() - 1;
     std::size_t       slot = hash & mask;
-    while (m_Slots[slot] >= 0 && m_Entries[m_Slots[slot]].key != key)
+    while (m_Slots[slot] >= 0 && !AreEqual(m_Entries[m_Slots[slot]].key, key))
     {
       slot = (slot + 1) & mask;
     }
