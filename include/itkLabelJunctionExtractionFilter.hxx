@@ -116,6 +116,7 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   std::map<IndexValueType, std::unique_ptr<BlockScan>> scansByPlane;
   std::mutex                                           mutex;
   const SizeValueType                                  numberOfPlanes = imageSize[2] + 1;
+  this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   this->GetMultiThreader()->template ParallelizeImageRegion<1>(
     ImageRegion<1>({ { 1 } }, { { numberOfPlanes } }),
     [&](const ImageRegion<1> & planes) {

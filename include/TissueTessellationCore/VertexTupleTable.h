@@ -78,12 +78,17 @@ private:
   std::size_t
   FindSlot(const Key & key) const
   {
+    // Odd factors without pattern; their products do not wait for each other.
+    constexpr std::array<std::uint64_t, 3> factors = {
+      { 0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu, 0xD6E8FEB86659FD93u }
+    };
+    static_assert(VLength <= factors.size(), "A factor for each vertex.");
     std::uint64_t hash = 0;
-    for (const VertexId vertex : key)
+    for (std::size_t i = 0; i < VLength; ++i)
     {
-      hash = (hash ^ static_cast<std::uint32_t>(vertex)) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
+      hash += static_cast<std::uint32_t>(key[i]) * factors[i];
     }
+    hash ^= hash >> 32;
     const std::size_t mask = m_Slots.size() - 1;
     std::size_t       slot = hash & mask;
     while (m_Slots[slot] >= 0 && !AreEqual(m_Entries[m_Slots[slot]].key, key))
