@@ -11,8 +11,10 @@ itk_module(TissueTessellation
     ITKMesh
     ITKImageGrid
     ITKDistanceMap
-    ITKBinaryMathematicalMorphology
+    ITKImageIntensity
+    ITKLabelMap
     ITKSmoothing
+    ITKThresholding
   TEST_DEPENDS
     ITKTestKernel
     ITKGoogleTest

@@ -13,9 +13,11 @@
 
 namespace tissue
 {
-/** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex. */
+/** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex: its voxels are those within
+ * the image, its largest piece is the one around the tissue, and its other pieces are voids enclosed in the tissue. */
 struct Cell
 {
+  /** Of the exterior: the label that stands for it, or one that no cell has if only the outside of the image does. */
   Label label = 0;
   /** Barycentre of the cell's largest face-connected piece; meaningless for the exterior. */
   Point center = { { 0.0, 0.0, 0.0 } };

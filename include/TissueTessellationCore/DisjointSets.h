@@ -1,0 +1,74 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_DisjointSets_h
+#define TissueTessellationCore_DisjointSets_h
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace tissue
+{
+/** Union-find over 0, 1, 2, ... The representative of a set is its smallest element, whatever the order of the unions.
+ */
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t size = 0)
+  {
+    while (m_Parents.size() < size)
+    {
+      this->Add();
+    }
+  }
+
+  /** A new element, a set by itself. */
+  std::int64_t
+  Add()
+  {
+    m_Parents.push_back(static_cast<std::int64_t>(m_Parents.size()));
+    return m_Parents.back();
+  }
+
+  std::size_t
+  GetSize() const
+  {
+    return m_Parents.size();
+  }
+
+  std::int64_t
+  Find(std::int64_t element)
+  {
+    while (m_Parents[element] != element)
+    {
+      m_Parents[element] = m_Parents[m_Parents[element]];
+      element = m_Parents[element];
+    }
+    return element;
+  }
+
+  /** Joins the sets of two elements and gives their representative. */
+  std::int64_t
+  Unite(std::int64_t a, std::int64_t b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    if (b < a)
+    {
+      std::swap(a, b);
+    }
+    m_Parents[b] = a;
+    return a;
+  }
+
+private:
+  std::vector<std::int64_t> m_Parents;
+};
+} // namespace tissue
+
+#endif
