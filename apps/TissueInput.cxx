@@ -7,12 +7,13 @@
 #include "TissueInput.h"
 
 #include "TissueTessellationCore/SeparatedCells.h"
-#include "itkLabelJunctionExtractionFilter.h"
-
 #include <itkChangeInformationImageFilter.h>
 #include <itkImageFileReader.h>
 #include <itkTimeProbe.h>
 #include <itksys/SystemTools.hxx>
+
+#include "itkLabelGapClosingImageFilter.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -95,39 +96,83 @@ CheckThatCellsTouch(const JunctionSet & junctions, std::vector<std::string> & wa
   warnings.push_back(message);
 }
 
+/** Seconds since the last call or the start. */
+class Stopwatch
+{
+public:
+  Stopwatch() { m_Probe.Start(); }
+
+  double
+  Lap()
+  {
+    m_Probe.Stop();
+    const double seconds = m_Probe.GetTotal();
+    m_Probe.Reset();
+    m_Probe.Start();
+    return seconds;
+  }
+
+private:
+  itk::TimeProbe m_Probe;
+};
+
+template <typename TImage>
+typename TImage::Pointer
+ReadImage(const TissueTessellationOptions & options)
+{
+  const auto reader = itk::ImageFileReader<TImage>::New();
+  reader->SetFileName(options.labels);
+  const auto information = itk::ChangeInformationImageFilter<TImage>::New();
+  information->SetInput(reader->GetOutput());
+  if (options.spacing)
+  {
+    information->ChangeSpacingOn();
+    information->SetOutputSpacing(itk::Vector<double, Dimension>(options.spacing->data()));
+  }
+  information->Update();
+  typename TImage::Pointer image = information->GetOutput();
+  image->DisconnectPipeline();
+  return image;
+}
+
+template <typename TImage>
+typename TImage::Pointer
+CloseGaps(TImage * image, const TissueTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+{
+  const auto closing = itk::LabelGapClosingImageFilter<TImage>::New();
+  closing->SetInput(image);
+  closing->SetGapWidth(*options.closeGaps);
+  closing->SetBackgroundLabel(static_cast<typename TImage::PixelType>(options.exteriorLabel.value_or(0)));
+  progress.Begin("Closing gaps");
+  progress.Observe(closing);
+  closing->Update();
+  input.closedGapWidth = closing->GetUsedGapWidth();
+  input.numberOfClosedVoxels = closing->GetNumberOfChangedVoxels();
+  input.largestClosedDistance = closing->GetLargestDistance();
+  typename TImage::Pointer closed = closing->GetOutput();
+  closed->DisconnectPipeline();
+  return closed;
+}
+
 template <typename TPixel>
 void
 Process(const TissueTessellationOptions & options, ProgressBar & progress, TissueInput & input)
 {
   using ImageType = itk::Image<TPixel, Dimension>;
-  itk::TimeProbe probe;
-  const auto     lap = [&probe]() {
-    probe.Stop();
-    const double seconds = probe.GetTotal();
-    probe.Reset();
-    probe.Start();
-    return seconds;
-  };
-  probe.Start();
-
-  const auto reader = itk::ImageFileReader<ImageType>::New();
-  reader->SetFileName(options.labels);
-  const auto information = itk::ChangeInformationImageFilter<ImageType>::New();
-  information->SetInput(reader->GetOutput());
-  if (options.spacing)
-  {
-    information->ChangeSpacingOn();
-    information->SetOutputSpacing(itk::MakeVector((*options.spacing)[0], (*options.spacing)[1], (*options.spacing)[2]));
-  }
+  Stopwatch stopwatch;
   progress.Begin("Reading");
-  information->Update();
-  typename ImageType::Pointer image = information->GetOutput();
-  image->DisconnectPipeline();
-  input.readSeconds = lap();
+  typename ImageType::Pointer image = ReadImage<ImageType>(options);
+  input.readSeconds = stopwatch.Lap();
   for (unsigned int axis = 0; axis < Dimension; ++axis)
   {
     input.size[axis] = image->GetLargestPossibleRegion().GetSize(axis);
     input.spacing[axis] = image->GetSpacing()[axis];
+  }
+
+  if (options.closeGaps)
+  {
+    image = CloseGaps<ImageType>(image, options, progress, input);
+    input.closeGapsSeconds = stopwatch.Lap();
   }
 
   const auto extraction = itk::LabelJunctionExtractionFilter<ImageType>::New();
@@ -143,7 +188,7 @@ Process(const TissueTessellationOptions & options, ProgressBar & progress, Tissu
   input.junctions = extraction->GetOutput();
   input.junctions->DisconnectPipeline();
   input.exteriorLabel = extraction->GetUsedExteriorLabel();
-  input.extractSeconds = lap();
+  input.extractSeconds = stopwatch.Lap();
 }
 } // namespace
 

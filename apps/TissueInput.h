@@ -19,17 +19,20 @@ namespace tissue
 struct TissueInput
 {
   itk::TissueJunctions::Pointer junctions;
-  /** File, size, spacing, origin, direction, pixel type, exterior label, gaps closed. */
-  std::string                pixelType;
-  std::array<std::size_t, 3> size{};
-  std::array<double, 3>      spacing{};
-  Label                      exteriorLabel = 0;
-  std::vector<std::string>   warnings;
-  double                     readSeconds = 0.0;
-  double                     closeGapsSeconds = 0.0;
-  double                     extractSeconds = 0.0;
-  std::size_t                numberOfClosedVoxels = 0;
-  double                     largestClosedDistance = 0.0;
+  std::string                   pixelType;
+  std::array<std::size_t, 3>    size{};
+  std::array<double, 3>         spacing{};
+  Label                         exteriorLabel = 0;
+  std::vector<std::string>      warnings;
+
+  /** Of the gaps closed; 0 without. Widths and distances are in the image's units. */
+  double      closedGapWidth = 0.0;
+  std::size_t numberOfClosedVoxels = 0;
+  double      largestClosedDistance = 0.0;
+
+  double readSeconds = 0.0;
+  double closeGapsSeconds = 0.0;
+  double extractSeconds = 0.0;
 };
 
 /** Reads the image and extracts its junctions.

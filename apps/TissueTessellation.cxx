@@ -11,6 +11,7 @@
 #include "TissueInput.h"
 #include "TissueTessellationOptions.h"
 #include "TissueTessellationVTKBridge.h"
+#include "VTKFiles.h"
 #include "WallMeshPicture.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
 

@@ -47,11 +47,8 @@ AddParameter(CLI::App & app, const std::string & name, TValue & value, const std
 
 template <typename TValue>
 void
-AddNamedParameter(CLI::App &                            app,
-                  const std::string &                   name,
-                  TValue &                              value,
-                  const std::map<std::string, TValue> & names,
-                  const std::string &                   description)
+AddNamedParameter(CLI::App & app, const std::string & name, TValue & value, const std::map<std::string, TValue> & names,
+                  const std::string & description)
 {
   AddParameter(app, name, value, description)->transform(CLI::CheckedTransformer(names, CLI::ignore_case));
 }
