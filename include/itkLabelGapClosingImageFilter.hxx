@@ -15,6 +15,7 @@
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkMaximumImageFilter.h"
+#include "itkMultiThreaderBase.h"
 #include "itkProgressAccumulator.h"
 #include "itkSignedMaurerDistanceMapImageFilter.h"
 #include "itkSubtractImageFilter.h"

@@ -10,12 +10,16 @@
 #include "itkProcessObject.h"
 #include "itkTissueJunctions.h"
 
+#include <array>
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace tissue
 {
 class BlockScan;
-}
+struct ExteriorLabels;
+} // namespace tissue
 
 namespace itk
 {
@@ -109,6 +113,12 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  /** The scans by their first planes. */
+  using ScanMap = std::map<IndexValueType, std::shared_ptr<tissue::BlockScan>>;
+
+  ScanMap
+  ScanImage(const std::array<std::int32_t, 3> & size, const tissue::ExteriorLabels & exterior);
+
   /** Feeds the scan with a plane, in its padded coordinates. */
   void
   ScanPlane(IndexValueType plane, tissue::BlockScan & scan) const;

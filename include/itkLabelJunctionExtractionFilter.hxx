@@ -7,7 +7,9 @@
 #ifndef itkLabelJunctionExtractionFilter_hxx
 #define itkLabelJunctionExtractionFilter_hxx
 
+#include "itkContinuousIndex.h"
 #include "itkExteriorLabelImageCalculator.h"
+#include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
 #include "TissueTessellationCore/BlockScan.h"
 #include "TissueTessellationCore/GatherJunctions.h"
@@ -15,9 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <exception>
 #include <limits>
-#include <map>
-#include <memory>
 #include <mutex>
 #include <type_traits>
 
@@ -113,27 +114,7 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   BlockScan::Index size;
   const auto       imageSize = image->GetLargestPossibleRegion().GetSize();
   std::copy_n(imageSize.begin(), 3, size.begin());
-  std::map<IndexValueType, std::unique_ptr<BlockScan>> scansByPlane;
-  std::mutex                                           mutex;
-  const SizeValueType                                  numberOfPlanes = imageSize[2] + 1;
-  this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  this->GetMultiThreader()->template ParallelizeImageRegion<1>(
-    ImageRegion<1>({ { 1 } }, { { numberOfPlanes } }),
-    [&](const ImageRegion<1> & planes) {
-      TotalProgressReporter progress(this, numberOfPlanes);
-      const IndexValueType  first = planes.GetIndex(0);
-      auto                  scan = std::make_unique<BlockScan>(size, static_cast<std::int32_t>(first), exterior);
-      this->ScanPlane(first - 1, *scan);
-      for (SizeValueType i = 0; i < planes.GetSize(0); ++i)
-      {
-        this->ScanPlane(first + static_cast<IndexValueType>(i), *scan);
-        progress.Completed(1);
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      scansByPlane[first] = std::move(scan);
-    },
-    nullptr);
-
+  const ScanMap                  scansByPlane = this->ScanImage(size, exterior);
   std::vector<const BlockScan *> scans;
   for (const auto & scan : scansByPlane)
   {
@@ -144,6 +125,47 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   this->CheckCells(scans, junctions);
   this->TransformToPhysicalSpace(junctions);
   this->GetOutput()->SetJunctionSet(std::move(junctions));
+}
+
+template <typename TLabelImage>
+auto
+LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int32_t, 3> & size,
+                                                      const tissue::ExteriorLabels &      exterior) -> ScanMap
+{
+  ScanMap             scans;
+  std::mutex          mutex;
+  std::exception_ptr  error;
+  const SizeValueType numberOfPlanes = static_cast<SizeValueType>(size[2]) + 1;
+  const auto          scanPlanes = [&](const ImageRegion<1> & planes) {
+    // An exception must not leave a thread: the others would go on with what is unwound here.
+    try
+    {
+      TotalProgressReporter progress(this, numberOfPlanes);
+      const IndexValueType  first = planes.GetIndex(0);
+      auto scan = std::make_shared<tissue::BlockScan>(size, static_cast<std::int32_t>(first), exterior);
+      this->ScanPlane(first - 1, *scan);
+      for (SizeValueType i = 0; i < planes.GetSize(0); ++i)
+      {
+        this->ScanPlane(first + static_cast<IndexValueType>(i), *scan);
+        progress.Completed(1);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      scans[first] = std::move(scan);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      error = std::current_exception();
+    }
+  };
+  this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  this->GetMultiThreader()->template ParallelizeImageRegion<1>(
+    ImageRegion<1>({ { 1 } }, { { numberOfPlanes } }), scanPlanes, nullptr);
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+  return scans;
 }
 
 template <typename TLabelImage>
