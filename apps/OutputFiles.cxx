@@ -30,7 +30,8 @@ MakeTemporaryPath(const fs::path & path)
 {
   for (int attempt = 0;; ++attempt)
   {
-    const std::string name = "." + path.stem().string() + ".part" + std::to_string(attempt) + path.extension().string();
+    // The whole name is kept: writers go by the extension, which may be double.
+    const std::string name = ".part" + std::to_string(attempt) + "." + path.filename().string();
     const fs::path    temporary = path.parent_path() / name;
     std::error_code   error;
     if (!fs::exists(fs::symlink_status(temporary, error)))
