@@ -201,7 +201,7 @@ AddAmbientOcclusion(vtkRenderer * renderer, double length)
   vtkNew<vtkSSAOPass>        occlusion;
   occlusion->SetDelegatePass(steps);
   occlusion->SetRadius(0.04 * length);
-  occlusion->SetBias(0.001 * length);
+  occlusion->SetBias(0.004 * length);
   occlusion->SetKernelSize(occlusionSamples);
   occlusion->BlurOn();
   renderer->SetPass(occlusion);
