@@ -185,9 +185,9 @@ Process(const TissueTessellationOptions & options, ProgressBar & progress, Tissu
   progress.Begin("Finding junctions");
   progress.Observe(extraction);
   extraction->Update();
+  input.exteriorLabel = extraction->GetUsedExteriorLabel();
   input.junctions = extraction->GetOutput();
   input.junctions->DisconnectPipeline();
-  input.exteriorLabel = extraction->GetUsedExteriorLabel();
   input.extractSeconds = stopwatch.Lap();
 }
 } // namespace
