@@ -19,16 +19,23 @@ EnergyFunction::EnergyFunction(const AdjacencyComplex & complex, const std::vect
   , m_Reference(reference)
   , m_Parameters(parameters)
 {
-  for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+  Recompute();
+}
+
+void
+EnergyFunction::Recompute()
+{
+  m_Sums = Sums();
+  for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
   {
-    if (complex.IsAlive(id))
+    if (m_Complex.IsAlive(id))
     {
-      AddTetrahedron(complex.GetTetrahedron(id).vertices, +1, m_Sums);
+      AddTetrahedron(m_Complex.GetTetrahedron(id).vertices, +1, m_Sums);
     }
   }
-  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  for (VertexId v = ExteriorVertex + 1; v < m_Complex.NumberOfVertices(); ++v)
   {
-    m_Sums.prior += Deviation(complex.NumberOfNeighbors(v), complex.FindEdge(ExteriorVertex, v) != nullptr);
+    m_Sums.prior += Deviation(m_Complex.NumberOfNeighbors(v), m_Complex.FindEdge(ExteriorVertex, v) != nullptr);
   }
 }
 

@@ -96,6 +96,7 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
     cycle.temperature *= m_Annealing.coolingFactor;
   }
   m_Complex = best;
+  m_Energy.Recompute();
   Report(progress, 1.0);
   return cycles;
 }

@@ -66,6 +66,10 @@ public:
     m_Sums = SumsAfter(replacement);
   }
 
+  /** Counts anew, after changes of the complex that Update() was not told of. */
+  void
+  Recompute();
+
   const ReferenceAdjacency *
   GetReference() const
   {
