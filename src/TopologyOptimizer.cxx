@@ -129,8 +129,8 @@ TopologyOptimizer::ProposeRemoval(VertexPair edge) const
     const VertexId a = ring.vertices[i];
     const VertexId b = ring.vertices[j];
     const VertexId c = ring.vertices[k];
-    return -static_cast<double>(m_Reference->HasQuadruple({ { e[0], a, b, c } })) -
-           static_cast<double>(m_Reference->HasQuadruple({ { e[1], a, b, c } }));
+    return (m_Reference->HasQuadruple({ { e[0], a, b, c } }) ? 0.0 : 1.0) +
+           (m_Reference->HasQuadruple({ { e[1], a, b, c } }) ? 0.0 : 1.0);
   });
 }
 

@@ -52,8 +52,8 @@ struct Proposal
   explicit operator bool() const { return verdict == Verdict::Legal; }
 };
 
-/** Cost of the triangle of the ring's vertices i < j < k, where the ring of `edge` is triangulated to remove the edge.
- */
+/** Cost, at least 0, of the triangle of the ring's vertices i < j < k, where the ring of `edge` is triangulated to
+ * remove the edge. */
 using RingCost = std::function<double(VertexPair edge, const AdjacencyComplex::Ring & ring, int i, int j, int k)>;
 
 /** \brief Proposes the local topological operations of the paper (section 3.2) on a complex, changing nothing. */
