@@ -19,18 +19,21 @@ namespace
 struct Side
 {
   VertexTriple  triangle; // ascending
+  bool          isEven;   // the ascending order is counterclockwise seen from outside the tetrahedron
   TetrahedronId tetrahedron;
   int           opposite;
 };
 
-VertexTriple
-Sorted(VertexTriple t)
+Side
+MakeSide(const VertexQuadruple & vertices, TetrahedronId tetrahedron, int opposite)
 {
+  VertexTriple t = TriangleOpposite(vertices, opposite);
+  const int    ascents = (t[0] < t[1]) + (t[1] < t[2]) + (t[0] < t[2]);
   std::sort(t.begin(), t.end());
-  return t;
+  return { t, ascents % 2 == 1, tetrahedron, opposite };
 }
 
-/** Sorts the sides and tells whether every triangle has exactly two. */
+/** Sorts the sides and tells whether every triangle has exactly two, of opposite orientations. */
 template <typename TSides>
 bool
 PairUp(TSides & sides)
@@ -40,7 +43,7 @@ PairUp(TSides & sides)
   {
     const bool paired = i + 1 < sides.size() && sides[i].triangle == sides[i + 1].triangle;
     const bool single = i + 2 >= sides.size() || sides[i].triangle != sides[i + 2].triangle;
-    if (!paired || !single)
+    if (!paired || !single || sides[i].isEven == sides[i + 1].isEven)
     {
       return false;
     }
@@ -96,13 +99,13 @@ AdjacencyComplex::AdjacencyComplex(VertexId numberOfVertices, const std::vector<
         throw std::invalid_argument("AdjacencyComplex: vertex " + std::to_string(vertices[i]) + " of tetrahedron " +
                                     std::to_string(id) + " is not in 0 .. " + std::to_string(numberOfVertices - 1));
       }
-      sides.push_back({ Sorted(TriangleOpposite(vertices, i)), id, i });
+      sides.push_back(MakeSide(vertices, id, i));
     }
     CountEdges(vertices, id, +1);
   }
   if (!PairUp(sides))
   {
-    throw std::invalid_argument("AdjacencyComplex: a triangle is not in exactly two tetrahedra");
+    throw std::invalid_argument("AdjacencyComplex: a triangle is not in exactly two tetrahedra, oriented alike");
   }
   Link(m_Tetrahedra, sides);
 }
@@ -322,12 +325,17 @@ AdjacencyComplex::Apply(const Replacement & replacement)
   };
   for (const TetrahedronId id : replacement.removed)
   {
+    if (id < 0 || id >= provisional || !IsAlive(id))
+    {
+      throw std::logic_error("AdjacencyComplex::Apply: there is no tetrahedron " + std::to_string(id) + " to remove");
+    }
     for (int i = 0; i < 4; ++i)
     {
       const TetrahedronId outside = m_Tetrahedra[id].neighbors[i];
       if (!isRemoved(outside))
       {
-        sides.push_back({ Sorted(TriangleOpposite(m_Tetrahedra[id].vertices, i)), outside, MirrorIndex(id, i) });
+        const int mirror = MirrorIndex(id, i);
+        sides.push_back(MakeSide(m_Tetrahedra[outside].vertices, outside, mirror));
       }
     }
   }
@@ -335,8 +343,7 @@ AdjacencyComplex::Apply(const Replacement & replacement)
   {
     for (int i = 0; i < 4; ++i)
     {
-      sides.push_back(
-        { Sorted(TriangleOpposite(replacement.created[k], i)), provisional + static_cast<TetrahedronId>(k), i });
+      sides.push_back(MakeSide(replacement.created[k], provisional + static_cast<TetrahedronId>(k), i));
     }
   }
   if (!PairUp(sides))

@@ -16,8 +16,8 @@ AnnealingState::RemoveEdgeByReference(VertexPair edge) const
     const VertexId a = ring.vertices[i];
     const VertexId b = ring.vertices[j];
     const VertexId c = ring.vertices[k];
-    return -static_cast<double>(reference.HasQuadruple({ { e[0], a, b, c } })) -
-           static_cast<double>(reference.HasQuadruple({ { e[1], a, b, c } }));
+    return (reference.HasQuadruple({ { e[0], a, b, c } }) ? 0.0 : 1.0) +
+           (reference.HasQuadruple({ { e[1], a, b, c } }) ? 0.0 : 1.0);
   });
 }
 

@@ -34,6 +34,36 @@ Ascending(T vertices)
   return vertices;
 }
 
+using Adjacency = std::map<VertexId, std::set<VertexId>>;
+
+/** Number of vertices joined to the first one, itself included. */
+std::size_t
+CountReached(const Adjacency & adjacent)
+{
+  std::set<VertexId>    reached;
+  std::vector<VertexId> open;
+  const auto            reach = [&](VertexId v) {
+    if (reached.insert(v).second)
+    {
+      open.push_back(v);
+    }
+  };
+  if (!adjacent.empty())
+  {
+    reach(adjacent.begin()->first);
+  }
+  while (!open.empty())
+  {
+    const VertexId u = open.back();
+    open.pop_back();
+    for (const VertexId v : adjacent.at(u))
+    {
+      reach(v);
+    }
+  }
+  return reached.size();
+}
+
 class Check
 {
 public:
@@ -58,6 +88,7 @@ public:
     {
       CheckLink(v);
     }
+    CheckConnected();
     if (m_Violations.empty())
     {
       CheckRings();
@@ -102,15 +133,19 @@ private:
       return;
     }
     const auto & other = m_Complex.GetTetrahedron(neighbor);
-    const auto   at = std::find(other.neighbors.begin(), other.neighbors.end(), id) - other.neighbors.begin();
+    auto         here = TriangleOpposite(t.vertices, i);
+    int          at = 0;
+    while (at < 4 && (other.neighbors[at] != id || Ascending(TriangleOpposite(other.vertices, at)) != Ascending(here)))
+    {
+      ++at;
+    }
     if (at == 4)
     {
       m_Violations.push_back("neighbours " + Text(t.vertices) + " and " + Text(other.vertices) + " are not symmetric");
       return;
     }
     // The common triangle must appear with opposite orientations from its two sides.
-    auto       here = TriangleOpposite(t.vertices, i);
-    const auto there = TriangleOpposite(other.vertices, static_cast<int>(at));
+    const auto there = TriangleOpposite(other.vertices, at);
     std::swap(here[1], here[2]);
     std::rotate(here.begin(), std::find(here.begin(), here.end(), there[0]), here.end());
     if (here != there)
@@ -189,8 +224,8 @@ private:
   void
   CheckLink(VertexId v)
   {
-    const auto &                           triangles = m_Star[v];
-    std::map<VertexId, std::set<VertexId>> adjacent;
+    const auto & triangles = m_Star[v];
+    Adjacency    adjacent;
     for (const VertexTriple & t : triangles)
     {
       for (int k = 0; k < 3; ++k)
@@ -204,28 +239,35 @@ private:
       m_Violations.push_back("vertex " + std::to_string(v) + " is in no tetrahedron");
       return;
     }
-    std::set<VertexId>    reached{ adjacent.begin()->first };
-    std::vector<VertexId> open{ adjacent.begin()->first };
-    std::size_t           halfEdges = 0;
-    while (!open.empty())
+    std::size_t halfEdges = 0;
+    for (const auto & [u, others] : adjacent)
     {
-      const VertexId u = open.back();
-      open.pop_back();
-      halfEdges += adjacent[u].size();
-      for (const VertexId w : adjacent[u])
-      {
-        if (reached.insert(w).second)
-        {
-          open.push_back(w);
-        }
-      }
+      halfEdges += others.size();
     }
     const auto euler =
-      static_cast<long>(reached.size()) - static_cast<long>(halfEdges / 2) + static_cast<long>(triangles.size());
-    if (reached.size() != adjacent.size() || euler != 2)
+      static_cast<long>(adjacent.size()) - static_cast<long>(halfEdges / 2) + static_cast<long>(triangles.size());
+    if (CountReached(adjacent) != adjacent.size() || euler != 2)
     {
       m_Violations.push_back("the link of vertex " + std::to_string(v) + " is not one sphere: Euler characteristic " +
                              std::to_string(euler));
+    }
+  }
+
+  /** The links are spheres in each of several pieces, too. */
+  void
+  CheckConnected()
+  {
+    Adjacency adjacent;
+    for (const auto & [edge, degree] : m_Degrees)
+    {
+      adjacent[edge[0]].insert(edge[1]);
+      adjacent[edge[1]].insert(edge[0]);
+    }
+    const std::size_t reached = CountReached(adjacent);
+    if (reached != adjacent.size())
+    {
+      m_Violations.push_back("the complex is not one piece: of " + std::to_string(adjacent.size()) + " vertices " +
+                             std::to_string(reached) + " are joined to the first");
     }
   }
 

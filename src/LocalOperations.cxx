@@ -151,13 +151,13 @@ LocalOperations::ExteriorRelativeToEdge(VertexPair edge) const
 Proposal
 LocalOperations::RemoveEdge(VertexPair edge) const
 {
-  if (m_Complex.FindEdge(edge[0], edge[1])->degree > m_MaximumDegree)
+  const auto ring = m_Complex.GetRing(edge[0], edge[1]);
+  if (static_cast<std::int32_t>(ring.vertices.size()) > m_MaximumDegree)
   {
     return { Verdict::DegreeAboveLimit, {} };
   }
   const Point        exterior = ExteriorRelativeToEdge(edge);
   const auto         position = [&](VertexId v) { return v == ExteriorVertex ? exterior : m_Centers[v]; };
-  const auto         ring = m_Complex.GetRing(edge[0], edge[1]);
   std::vector<Point> corners;
   for (const VertexId v : ring.vertices)
   {
@@ -171,12 +171,12 @@ LocalOperations::RemoveEdge(VertexPair edge) const
 Proposal
 LocalOperations::RemoveEdge(VertexPair edge, const RingCost & ringCost) const
 {
-  if (m_Complex.FindEdge(edge[0], edge[1])->degree > m_MaximumDegree)
+  const auto ring = m_Complex.GetRing(edge[0], edge[1]);
+  const int  n = static_cast<int>(ring.vertices.size());
+  if (n > m_MaximumDegree)
   {
     return { Verdict::DegreeAboveLimit, {} };
   }
-  const auto ring = m_Complex.GetRing(edge[0], edge[1]);
-  const int  n = static_cast<int>(ring.vertices.size());
   // Whether the diagonal is free is asked many times in the O(n^3) search: looked up once for each.
   std::vector<char> isFree(static_cast<std::size_t>(n * n), 1);
   for (int i = 0; i < n; ++i)

@@ -50,7 +50,8 @@ public:
   };
 
   /** From positively oriented tetrahedra over the vertices 0 .. numberOfVertices - 1.
-   * \throws std::invalid_argument where a triangle is not in exactly two of them, or a vertex is out of range. */
+   * \throws std::invalid_argument where a triangle is not in exactly two of them, the two are not oriented alike, or a
+   * vertex is out of range. */
   AdjacencyComplex(VertexId numberOfVertices, const std::vector<VertexQuadruple> & tetrahedra);
 
   VertexId
@@ -137,7 +138,8 @@ public:
 
   /** Carries out the replacement and returns its inverse. A series of replacements is undone by their inverses in
    * reverse order, which restores the ids as well.
-   * \throws std::logic_error where removed and created tetrahedra have not the same boundary; nothing is changed. */
+   * \throws std::logic_error where a tetrahedron to remove does not exist, or removed and created tetrahedra have not
+   * the same boundary, orientation included; nothing is changed. */
   Replacement
   Apply(const Replacement & replacement);
 

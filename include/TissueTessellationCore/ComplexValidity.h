@@ -18,7 +18,7 @@ namespace tissue
  *
  * Checked from scratch: four different vertices a tetrahedron; neighbours symmetric and across the same triangle, with
  * opposite orientations; no two tetrahedra with the same vertices, every triangle in exactly two; the records of edges
- * and of numbers of neighbours; every vertex present and its link one 2-sphere. */
+ * and of numbers of neighbours; every vertex present and its link one 2-sphere; the complex one piece. */
 std::vector<std::string>
 FindViolations(const AdjacencyComplex & complex);
 } // namespace tissue

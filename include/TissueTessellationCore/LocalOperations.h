@@ -56,8 +56,8 @@ struct Proposal
   explicit operator bool() const { return verdict == Verdict::Legal; }
 };
 
-/** Cost of the triangle of the ring's vertices i < j < k, where the ring of `edge` is triangulated to remove the edge.
- */
+/** Cost, at least 0, of the triangle of the ring's vertices i < j < k, where the ring of `edge` is triangulated to
+ * remove the edge. */
 using RingCost = std::function<double(VertexPair edge, const AdjacencyComplex::Ring & ring, int i, int j, int k)>;
 
 /** \brief Proposes the local topological operations of the paper (section 3.2) on a complex, changing nothing. */
@@ -83,12 +83,14 @@ public:
    * triangulation of the ring's projection on the median plane of the edge (paper, section 3.2): where a diagonal of it
    * exists already, the operation is refused, as in the paper the triangulation is unique.
    * Refused: DegreeAboveLimit, NoTriangulation (the projected ring crosses itself), EdgeExists, TriangleExists,
-   * Inverted. */
+   * Inverted.
+   * \throws std::invalid_argument where the two vertices are not adjacent. */
   Proposal
   RemoveEdge(VertexPair edge) const;
 
   /** Edge removal with the triangulation of least cost among those whose diagonals do not exist yet.
-   * Refused: DegreeAboveLimit, NoTriangulation, TriangleExists, Inverted. */
+   * Refused: DegreeAboveLimit, NoTriangulation, TriangleExists, Inverted.
+   * \throws std::invalid_argument where the two vertices are not adjacent. */
   Proposal
   RemoveEdge(VertexPair edge, const RingCost & ringCost) const;
 

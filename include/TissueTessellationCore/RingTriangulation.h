@@ -17,7 +17,7 @@ namespace tissue
 /** Triangles of a polygon's triangulation, by the indices of its corners, each ascending: n - 2 of them. */
 using RingTriangulation = std::vector<std::array<int, 3>>;
 
-/** Cost of the triangle of the polygon's corners i < j < k; infinite where the triangle is not allowed. */
+/** Cost of the triangle of the polygon's corners i < j < k: at least 0, infinite where the triangle is not allowed. */
 using TriangleCost = std::function<double(int i, int j, int k)>;
 
 /** \brief The triangulation of a polygon of n >= 3 corners that has the least sum of costs, by dynamic programming.
