@@ -7,6 +7,8 @@
 #include "TissueTessellationCore/ReferenceAdjacency.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace tissue
 {
@@ -28,11 +30,43 @@ CountRows(std::size_t numberOfRows, const TTuples & tuples, const TRow & rowOf)
   }
   return begins;
 }
+/** Bits of a vertex id in a packed triple. */
+constexpr int           IdBits = 21;
+constexpr std::uint64_t IdMask = (std::uint64_t{ 1 } << IdBits) - 1;
+
+/** Orders as the triples do. */
+std::uint64_t
+Pack(VertexId a, VertexId b, VertexId c)
+{
+  return (static_cast<std::uint64_t>(a) << (2 * IdBits)) | (static_cast<std::uint64_t>(b) << IdBits) |
+         static_cast<std::uint64_t>(c);
+}
+
+/** Sorts four numbers by the shortest network. */
+void
+SortFour(VertexQuadruple & v)
+{
+  const auto order = [&v](int i, int j) {
+    const VertexId smaller = std::min(v[i], v[j]);
+    v[j] = std::max(v[i], v[j]);
+    v[i] = smaller;
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+}
 } // namespace
 
 ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
 {
   const std::size_t n = junctions.cells.size();
+  if (n > IdMask + 1)
+  {
+    throw std::invalid_argument("ReferenceAdjacency: " + std::to_string(n - 1) + " cells, at most " +
+                                std::to_string(IdMask) + " are possible");
+  }
   m_PairRows = CountRows(n, junctions.walls, [](const Wall & wall) { return static_cast<std::size_t>(wall.cells[1]); });
   m_Smaller.resize(junctions.walls.size());
   std::vector<std::size_t> next(m_PairRows.begin(), m_PairRows.end() - 1);
@@ -47,7 +81,7 @@ ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
   next.assign(m_QuadrupleRows.begin(), m_QuadrupleRows.end() - 1);
   for (const Junction & junction : junctions.junctions)
   {
-    m_Others[next[last(junction)]++] = { { junction.cells[0], junction.cells[1], junction.cells[2] } };
+    m_Others[next[last(junction)]++] = Pack(junction.cells[0], junction.cells[1], junction.cells[2]);
   }
 }
 
@@ -57,17 +91,17 @@ ReferenceAdjacency::HasPair(VertexId u, VertexId v) const
   const VertexId row = std::max(u, v);
   const auto     begin = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row]);
   const auto     end = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row + 1]);
-  return std::find(begin, end, std::min(u, v)) != end;
+  return std::binary_search(begin, end, std::min(u, v));
 }
 
 bool
 ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
 {
   VertexQuadruple key = vertices;
-  std::sort(key.begin(), key.end());
+  SortFour(key);
   const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3]]);
   const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3] + 1]);
-  return std::find(begin, end, VertexTriple{ { key[0], key[1], key[2] } }) != end;
+  return std::binary_search(begin, end, Pack(key[0], key[1], key[2]));
 }
 
 std::vector<VertexQuadruple>
@@ -79,7 +113,10 @@ ReferenceAdjacency::GetQuadruples() const
   {
     for (std::size_t i = m_QuadrupleRows[row]; i < m_QuadrupleRows[row + 1]; ++i)
     {
-      quadruples.push_back({ { m_Others[i][0], m_Others[i][1], m_Others[i][2], static_cast<VertexId>(row) } });
+      quadruples.push_back({ { static_cast<VertexId>(m_Others[i] >> (2 * IdBits)),
+                               static_cast<VertexId>((m_Others[i] >> IdBits) & IdMask),
+                               static_cast<VertexId>(m_Others[i] & IdMask),
+                               static_cast<VertexId>(row) } });
     }
   }
   return quadruples;

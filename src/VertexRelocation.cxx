@@ -75,15 +75,17 @@ private:
   double                   m_BestEnergy;
   std::size_t              m_Best = 0;
 };
-/** What the reference wants of each vertex, and where it is missing. */
-struct Demand
+/** How each vertex and the reference disagree. */
+struct Disagreement
 {
-  std::vector<std::int32_t> wanted;  // quadruples of the reference at each vertex
+  std::vector<std::int32_t> wanted;  // quadruples of the reference at the vertex
   std::vector<std::int32_t> missing; // those of them that the complex has not
+  std::vector<std::int32_t> wrong;   // tetrahedra at the vertex that are not in the reference
 
-  Demand(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
+  Disagreement(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
     : wanted(static_cast<std::size_t>(complex.NumberOfVertices()), 0)
     , missing(wanted)
+    , wrong(wanted)
   {
     for (const VertexQuadruple & quadruple : reference.GetQuadruples())
     {
@@ -95,11 +97,14 @@ struct Demand
     }
     for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
     {
-      if (complex.IsAlive(id) && reference.HasQuadruple(complex.GetTetrahedron(id).vertices))
+      if (complex.IsAlive(id))
       {
-        for (const VertexId v : complex.GetTetrahedron(id).vertices)
+        const VertexQuadruple & vertices = complex.GetTetrahedron(id).vertices;
+        const bool              isHit = reference.HasQuadruple(vertices);
+        for (const VertexId v : vertices)
         {
-          --missing[v];
+          missing[v] -= isHit ? 1 : 0;
+          wrong[v] += isHit ? 0 : 1;
         }
       }
     }
@@ -213,10 +218,7 @@ private:
         quadruples += reference.HasQuadruple(created) ? 1 : 0;
         pairs += reference.HasPair(vertex, vertices[i]) ? 1 : 0;
       }
-      if (pairs >= 3)
-      {
-        places.emplace_back(-quadruples, -pairs, Canonical(vertices));
-      }
+      places.emplace_back(-quadruples, -pairs, Canonical(vertices));
     }
     std::sort(places.begin(), places.end());
     std::vector<VertexQuadruple> best;
@@ -285,13 +287,14 @@ std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
                  const ProgressFunction & progress)
 {
-  const Demand                                   demand(state.complex, *state.energy.GetReference());
+  const Disagreement                             now(state.complex, *state.energy.GetReference());
   std::vector<std::pair<std::int32_t, VertexId>> order; // most missing first
   for (VertexId v = ExteriorVertex + 1; v < state.complex.NumberOfVertices(); ++v)
   {
-    if (demand.missing[v] > parameters.missingShare * demand.wanted[v])
+    const std::int32_t wrong = now.missing[v] + now.wrong[v];
+    if (wrong > parameters.wrongShare * now.wanted[v])
     {
-      order.emplace_back(-demand.missing[v], v);
+      order.emplace_back(-wrong, v);
     }
   }
   std::sort(order.begin(), order.end());

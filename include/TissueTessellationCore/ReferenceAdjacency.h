@@ -19,6 +19,7 @@ namespace tissue
 class ReferenceAdjacency
 {
 public:
+  /** \throws std::invalid_argument for more than 2 097 151 cells: ids are kept in 21 bits. */
   explicit ReferenceAdjacency(const JunctionSet & junctions);
 
   bool
@@ -45,11 +46,12 @@ public:
   }
 
 private:
-  /** Compressed rows: the row of a vertex holds the tuples of which it is the largest, by the others. */
-  std::vector<std::size_t>  m_PairRows;
-  std::vector<VertexId>     m_Smaller;
-  std::vector<std::size_t>  m_QuadrupleRows;
-  std::vector<VertexTriple> m_Others;
+  /** Compressed rows: the row of a vertex holds the tuples of which it is the largest, by the others, ascending. The
+   * other three of a quadruple are packed into one number. */
+  std::vector<std::size_t>   m_PairRows;
+  std::vector<VertexId>      m_Smaller;
+  std::vector<std::size_t>   m_QuadrupleRows;
+  std::vector<std::uint64_t> m_Others;
 };
 
 /** Jaccard indices of the complex and an image (paper, section 4.1). */

@@ -14,8 +14,9 @@ namespace tissue
 {
 struct VertexRelocationParameters
 {
-  /** A vertex is tried where more than this share of its quadruples in the reference is missing; 0 .. 1, 1: none. */
-  double missingShare = 0.25;
+  /** A vertex is tried where its quadruples that are missing and its tetrahedra that are not in the reference are more
+   * than this share of its quadruples in the reference; 0 or more. */
+  double wrongShare = 0.25;
   /** Places that are tried for a vertex, the most promising first. */
   int numberOfPlaces = 2;
   /** Rounds of annealing around the vertex at its new place, and proposals in each for each tetrahedron there. */
