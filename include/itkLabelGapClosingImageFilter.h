@@ -89,6 +89,7 @@ protected:
 private:
   using MaskType = Image<unsigned char, 3>;
   using MaskPointer = typename MaskType::Pointer;
+  using DistanceType = Image<float, 3>;
 
   struct Neighbour
   {
@@ -114,9 +115,13 @@ private:
   void
   CollectGapLengths(unsigned int axis, double limit, std::vector<double> & lengths) const;
 
-  /** Background in the closing of all cells, and in the narrow voids it encloses. */
+  /** The closing of all cells, and the narrow voids it encloses. */
   MaskPointer
   ComputeGapMask(double radius);
+
+  /** The mask and the voids in it that are nowhere farther than the gap width from a cell. */
+  MaskPointer
+  AddNarrowVoids(const MaskType * mask, const DistanceType * cellDistance) const;
 
   /** The voxels around a voxel up to a distance, the nearest first. */
   std::vector<Neighbour>

@@ -150,7 +150,6 @@ template <typename TLabelImage>
 auto
 LabelGapClosingImageFilter<TLabelImage>::ComputeGapMask(double radius) -> MaskPointer
 {
-  using DistanceType = Image<float, 3>;
   const auto threshold = BinaryThresholdImageFilter<DistanceType, MaskType>::New();
   const auto closing = BinaryThresholdImageFilter<DistanceType, MaskType>::New();
   const auto outsideDistance = SignedMaurerDistanceMapImageFilter<MaskType, DistanceType>::New();
@@ -171,32 +170,38 @@ LabelGapClosingImageFilter<TLabelImage>::ComputeGapMask(double radius) -> MaskPo
   closing->SetInsideValue(0);
   closing->SetOutsideValue(1);
 
+  const auto progress = ProgressAccumulator::New();
+  progress->SetMiniPipelineFilter(this);
+  progress->RegisterInternalFilter(cellDistance, 0.4f);
+  progress->RegisterInternalFilter(outsideDistance, 0.4f);
+  closing->Update();
+  return this->AddNarrowVoids(closing->GetOutput(), cellDistance->GetOutput());
+}
+
+template <typename TLabelImage>
+auto
+LabelGapClosingImageFilter<TLabelImage>::AddNarrowVoids(const MaskType * mask, const DistanceType * cellDistance) const
+  -> MaskPointer
+{
   const auto filled = BinaryFillholeImageFilter<MaskType>::New();
-  filled->SetInput(closing->GetOutput());
+  filled->SetInput(mask);
   filled->SetForegroundValue(1);
   const auto voids = SubtractImageFilter<MaskType>::New();
   voids->SetInput1(filled->GetOutput());
-  voids->SetInput2(closing->GetOutput());
+  voids->SetInput2(mask);
   using OpeningType = BinaryStatisticsOpeningImageFilter<MaskType, DistanceType>;
   const auto narrowVoids = OpeningType::New();
   narrowVoids->SetInput(voids->GetOutput());
-  narrowVoids->SetFeatureImage(cellDistance->GetOutput());
+  narrowVoids->SetFeatureImage(cellDistance);
   narrowVoids->SetForegroundValue(1);
   narrowVoids->SetAttribute(OpeningType::LabelObjectType::MAXIMUM);
   narrowVoids->SetReverseOrdering(true);
   narrowVoids->SetLambda(m_UsedGapWidth);
-
-  const auto mask = MaximumImageFilter<MaskType>::New();
-  mask->SetInput1(closing->GetOutput());
-  mask->SetInput2(narrowVoids->GetOutput());
-  const auto progress = ProgressAccumulator::New();
-  progress->SetMiniPipelineFilter(this);
-  progress->RegisterInternalFilter(cellDistance, 0.3f);
-  progress->RegisterInternalFilter(outsideDistance, 0.3f);
-  progress->RegisterInternalFilter(filled, 0.2f);
-  progress->RegisterInternalFilter(narrowVoids, 0.1f);
-  mask->Update();
-  return mask->GetOutput();
+  const auto sum = MaximumImageFilter<MaskType>::New();
+  sum->SetInput1(mask);
+  sum->SetInput2(narrowVoids->GetOutput());
+  sum->Update();
+  return sum->GetOutput();
 }
 
 template <typename TLabelImage>

@@ -13,23 +13,36 @@ namespace tissue
 {
 namespace
 {
-/** Most blocks at a wall hold two cells and are of no interest: a test without branches. */
-bool
-HasThreeCells(const std::array<VertexId, 8> & voxels)
+/** The cells of the four voxels at one side of a block, as far as most blocks need: those at a wall hold two cells and
+ * are of no interest. All tests are without branches. */
+struct Side
 {
-  VertexId smallest = voxels[0];
-  VertexId largest = voxels[0];
-  for (const VertexId cell : voxels)
+  VertexId smallest;
+  VertexId largest;
+  bool     hasThreeCells;
+
+  explicit Side(const VertexId * voxels)
+    : smallest(std::min(std::min(voxels[0], voxels[1]), std::min(voxels[2], voxels[3])))
+    , largest(std::max(std::max(voxels[0], voxels[1]), std::max(voxels[2], voxels[3])))
+    , hasThreeCells(false)
   {
-    smallest = std::min(smallest, cell);
-    largest = std::max(largest, cell);
+    for (int i = 0; i < 4; ++i)
+    {
+      hasThreeCells |= (voxels[i] != smallest) & (voxels[i] != largest);
+    }
   }
-  bool isThird = false;
-  for (const VertexId cell : voxels)
-  {
-    isThird |= (cell != smallest) & (cell != largest);
-  }
-  return isThird;
+};
+
+/** Whether a block holds three cells or more. */
+bool
+HaveThreeCells(const Side & left, const Side & right)
+{
+  const VertexId smallest = std::min(left.smallest, right.smallest);
+  const VertexId largest = std::max(left.largest, right.largest);
+  return left.hasThreeCells | right.hasThreeCells | ((left.smallest != smallest) & (left.smallest != largest)) |
+         ((left.largest != smallest) & (left.largest != largest)) |
+         ((right.smallest != smallest) & (right.smallest != largest)) |
+         ((right.largest != smallest) & (right.largest != largest));
 }
 
 /** Writes the cells of a block in ascending order, each once, and gives their number. */
@@ -96,8 +109,16 @@ BlockScan::EndRow()
   }
   else
   {
-    this->MarkBorderCells();
-    this->ScanRow();
+    if (m_Y == 0)
+    {
+      // All exterior, and so is the same row of the plane before.
+      m_Current.runs.front().piece = m_Previous.runs.front().piece;
+    }
+    else
+    {
+      this->MarkBorderCells();
+      this->ScanRow();
+    }
   }
   ++m_Y;
   if (m_Y < m_Size[1] + 2)
@@ -140,59 +161,50 @@ void
 BlockScan::ScanRow()
 {
   const auto rowOf = [](Plane & plane, std::int32_t y) { return plane.runs.data() + plane.rowBegins[y]; };
-  Run *      own = rowOf(m_Current, m_Y);
-  if (m_Y == 0)
-  {
-    own->piece = rowOf(m_Previous, 0)->piece;
-    return;
-  }
-  const Run * a = rowOf(m_Previous, m_Y - 1);
-  const Run * b = rowOf(m_Previous, m_Y);
-  const Run * c = rowOf(m_Current, m_Y - 1);
-  // Cells of the block: the voxels of the four rows at its left side, then those at its right side.
-  std::array<VertexId, 8> block;
-  std::int32_t            begin = 0;
-  std::int32_t            ownBegin = 0;
-  bool                    hasThreeCells = false;
+  // The runs at the rows of the block, the row to scan last.
+  std::array<Run *, 4> runs = {
+    { rowOf(m_Previous, m_Y - 1), rowOf(m_Previous, m_Y), rowOf(m_Current, m_Y - 1), rowOf(m_Current, m_Y) }
+  };
+  // The voxels at the left side of the block in these rows, then those at its right side.
+  std::array<VertexId, 8> voxels;
+  voxels.fill(ExteriorVertex);
+  Side         left(voxels.data());
+  std::int32_t begin = 0;
+  std::int32_t ownBegin = 0;
   for (;;)
   {
-    const std::int32_t end = std::min(std::min(a->end, b->end), std::min(c->end, own->end));
-    this->Connect(1, *c, *own, begin, end);
-    this->Connect(2, *b, *own, begin, end);
-    block[0] = a->cell;
-    block[1] = b->cell;
-    block[2] = c->cell;
-    block[3] = own->cell;
-    if (hasThreeCells && end - begin > 1)
+    // No row changes from begin to end.
+    const std::int32_t end = std::min(std::min(runs[0]->end, runs[1]->end), std::min(runs[2]->end, runs[3]->end));
+    this->Connect(1, *runs[2], *runs[3], begin, end);
+    this->Connect(2, *runs[1], *runs[3], begin, end);
+    if (left.hasThreeCells && end - begin > 1)
     {
-      this->AddBlocks(block.data(), 4, begin + 1, end);
+      this->AddBlocks(voxels.data(), 4, begin + 1, end);
     }
-    if (end == m_Size[0] + 2)
+    if (runs[3]->end == end)
     {
-      break;
-    }
-    a += a->end == end;
-    b += b->end == end;
-    c += c->end == end;
-    if (own->end == end)
-    {
-      this->FinishRun(*own, ownBegin);
+      this->FinishRun(*runs[3], ownBegin);
       ownBegin = end;
-      this->AddFaces(0, own[0].cell, own[1].cell, end, end + 1);
-      ++own;
+      if (end == m_Size[0] + 2)
+      {
+        return;
+      }
+      this->AddFaces(0, runs[3][0].cell, runs[3][1].cell, end, end + 1);
     }
-    block[4] = a->cell;
-    block[5] = b->cell;
-    block[6] = c->cell;
-    block[7] = own->cell;
-    hasThreeCells = HasThreeCells(block);
-    if (hasThreeCells)
+    for (int i = 0; i < 4; ++i)
     {
-      this->AddBlocks(block.data(), 8, end, end + 1);
+      runs[i] += runs[i]->end == end;
+      voxels[4 + i] = runs[i]->cell;
     }
+    const Side right(voxels.data() + 4);
+    if (HaveThreeCells(left, right))
+    {
+      this->AddBlocks(voxels.data(), 8, end, end + 1);
+    }
+    std::copy_n(voxels.data() + 4, 4, voxels.data());
+    left = right;
     begin = end;
   }
-  this->FinishRun(*own, ownBegin);
 }
 
 void

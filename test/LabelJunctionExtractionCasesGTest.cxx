@@ -1,0 +1,143 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "LabelImageTestHelpers.h"
+
+#include "itkCommand.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+/* Cells in pieces or cut by the border, and errors. */
+
+namespace
+{
+using namespace tissue_test;
+using ImageType = LabelImage<short>;
+using FilterType = itk::LabelJunctionExtractionFilter<ImageType>;
+
+FilterType::Pointer
+MakeFilter(const ImageType * image)
+{
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  return filter;
+}
+
+/** What an error says, or nothing if there is none. */
+std::string
+ErrorOf(FilterType * filter)
+{
+  try
+  {
+    filter->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    return error.GetDescription();
+  }
+  return "";
+}
+
+constexpr auto Has = [](const std::string & text, const char * part) { return text.find(part) != std::string::npos; };
+} // namespace
+
+// Values derived by hand. A U of label 50 lies across all planes: its arms join in the last plane only.
+TEST(LabelJunctionExtractionPieces, AreJoinedAcrossThreadsAndCounted)
+{
+  const auto image = MakeFourCubes<short>();
+  for (long z = 0; z < 8; ++z)
+  {
+    image->SetPixel({ { 0, 0, z } }, 50);
+    image->SetPixel({ { 2, 0, z } }, 50);
+  }
+  image->SetPixel({ { 1, 0, 7 } }, 50);
+  // A fragment of three voxels, and a void of the exterior in a cell; edges do not connect.
+  for (long x = 9; x < 12; ++x)
+  {
+    image->SetPixel({ { x, 11, 0 } }, 50);
+  }
+  image->SetPixel({ { 4, 4, 4 } }, 0);
+  for (const unsigned int threads : { 1u, 4u })
+  {
+    const auto filter = MakeFilter(image);
+    filter->SetNumberOfWorkUnits(threads);
+    filter->Update();
+    const auto & cells = filter->GetOutput()->GetJunctionSet().cells;
+    ASSERT_EQ(cells.size(), 6u);
+    EXPECT_EQ(cells[5].numberOfPieces, 2);
+    EXPECT_EQ(cells[5].numberOfVoxels, 20);
+    EXPECT_EQ(cells[5].numberOfStrayVoxels, 3);
+    EXPECT_TRUE(cells[5].touchesBorder);
+    EXPECT_NEAR(cells[5].center[0], 1.0, 1e-12);
+    EXPECT_NEAR(cells[5].center[1], 0.0, 1e-12);
+    EXPECT_NEAR(cells[5].center[2], (16 * 3.5 + 7) / 17, 1e-12);
+    EXPECT_EQ(cells[0].numberOfPieces, 2);
+    EXPECT_EQ(cells[0].numberOfStrayVoxels, 1);
+    EXPECT_EQ(cells[1].numberOfVoxels, 63);
+  }
+}
+
+TEST(LabelJunctionExtractionPieces, OnlyCellsOfTheBorderTouchIt)
+{
+  const auto set = Extract(MakeImage<short>({ { 9, 9, 9 } }, [](long x, long y, long z) {
+                             return 1 + x / 3 + 3 * (y / 3) + 9 * (z / 3);
+                           }).GetPointer());
+  ASSERT_EQ(set.cells.size(), 28u);
+  for (int i = 1; i <= 27; ++i)
+  {
+    EXPECT_EQ(set.cells[i].touchesBorder, i != 14) << i;
+    EXPECT_EQ(set.cells[i].touchesExterior, i != 14) << i;
+  }
+  EXPECT_EQ(set.cells[0].numberOfVoxels, 0);
+}
+
+TEST(LabelJunctionExtractionErrors, FewerThanFourCells)
+{
+  const auto image = MakeFourCubes<short>();
+  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    it.Set(it.Get() == 40 ? 30 : it.Get());
+  }
+  const std::string error = ErrorOf(MakeFilter(image));
+  EXPECT_TRUE(Has(error, "3 cells") && Has(error, "at least 4")) << error;
+}
+
+TEST(LabelJunctionExtractionErrors, AbsentExteriorLabel)
+{
+  const auto filter = MakeFilter(MakeFourCubes<short>());
+  filter->SetExteriorLabel(1000000);
+  const std::string error = ErrorOf(filter);
+  EXPECT_TRUE(Has(error, "1000000") && Has(error, "4 labels")) << error;
+}
+
+TEST(LabelJunctionExtractionErrors, LabelAboveTheRange)
+{
+  using WideType = LabelImage<unsigned long long>;
+  const auto image = MakeFourCubes<unsigned long long>();
+  image->SetPixel({ { 3, 3, 3 } }, 1ULL << 63);
+  const auto filter = itk::LabelJunctionExtractionFilter<WideType>::New();
+  filter->SetInput(image);
+  for (const unsigned int threads : { 1u, 8u })
+  {
+    filter->SetNumberOfWorkUnits(threads);
+    EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  }
+}
+
+TEST(LabelJunctionExtractionErrors, AbortStopsAndProgressEndsAtOne)
+{
+  const auto filter = MakeFilter(MakeBallTissue<short>(40, 6));
+  filter->Update();
+  EXPECT_FLOAT_EQ(filter->GetProgress(), 1.0f);
+
+  const auto abort = itk::SimpleMemberCommand<FilterType>::New();
+  abort->SetCallbackFunction(filter, &FilterType::AbortGenerateDataOn);
+  filter->AddObserver(itk::ProgressEvent(), abort);
+  filter->Modified();
+  EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+}
