@@ -10,6 +10,7 @@ itk_module(TissueTessellation
     ITKCommon
     ITKMesh
     ITKImageGrid
+    ITKImageSources
     ITKDistanceMap
     ITKImageIntensity
     ITKLabelMap

@@ -48,6 +48,14 @@ struct Options
   bool                         isQuiet = false;
 };
 
+/** Through a signed type: CLI11 would take -1 for the greatest number of an unsigned one. */
+template <typename TInteger>
+CLI::Range
+UpTo()
+{
+  return { std::int64_t{ 0 }, static_cast<std::int64_t>(std::numeric_limits<TInteger>::max()) };
+}
+
 void
 AddOptions(CLI::App & app, Options & options)
 {
@@ -62,7 +70,7 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option("--size", options.size, "Voxels along each axis")->check(CLI::Range(1, 100000));
   app.add_option("--spacing", options.spacing, "Size of a voxel")->check(CLI::Range(1e-6, 1e6));
   app.add_option("--cells", options.cells, "Number of cells")->check(CLI::Range(1, 100000000));
-  app.add_option("--seed", options.seed, "Every seed gives another tissue")->check(CLI::NonNegativeNumber);
+  app.add_option("--seed", options.seed, "Every seed gives another tissue")->check(UpTo<std::int64_t>());
   app.add_option("--shape", options.shape, "Outline of the tissue")
     ->transform(CLI::CheckedTransformer(shapes).description("{block,dome,flower}"))
     ->type_name("")
@@ -76,11 +84,10 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option("--margin", options.margin, "Voxels between the tissue and the border of the image")
     ->check(CLI::Range(0, 100000));
   app.add_option("--smoothing", options.smoothing, "Passes that smooth the walls")->check(CLI::Range(0, 100));
-  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of all that is not a cell")
-    ->check(CLI::NonNegativeNumber);
-  app.add_option("--firstLabel",
-                 options.firstLabel,
-                 "Label of the first cell->check(CLI::NonNegativeNumber); the exterior label is skipped");
+  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of all that is not a cell");
+  app.add_option("--firstLabel", options.firstLabel, "Label of the first cell; the exterior label is skipped")
+    ->check(UpTo<std::uint32_t>())
+    ->check(UpTo<std::uint32_t>());
   app.add_option("--pixelType", options.pixelType, "Type of the labels")
     ->check(CLI::IsMember({ "uint8", "uint16", "uint32" }));
   app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));

@@ -72,6 +72,7 @@ SyntheticTissueImageSource<TOutputImage>::GenerateData()
   this->SmoothWalls();
   this->MergeFragments();
   this->VerifyCells();
+  this->UpdateProgress(1.0f);
 }
 
 template <typename TOutputImage>
@@ -198,13 +199,13 @@ template <typename TOutputImage>
 tissue::AnisotropicTessellation
 SyntheticTissueImageSource<TOutputImage>::GrowCells(double cellDiameter)
 {
-  constexpr uint32_t           cellsPerFounder = 16;
+  constexpr std::int32_t       cellsPerFounder = 16;
   tissue::SyntheticCellOptions options;
   options.numberOfCells = static_cast<std::int32_t>(m_NumberOfCells);
   options.seed = m_Seed;
   options.anisotropy = m_CellModel == CellModelEnum::Anisotropic ? m_Anisotropy : 1.0;
   options.numberOfFounders = m_CellModel == CellModelEnum::Division
-                               ? std::max(1, options.numberOfCells / static_cast<std::int32_t>(cellsPerFounder))
+                               ? std::max(1, options.numberOfCells / cellsPerFounder)
                                : options.numberOfCells;
   const auto report = [this](double fraction) {
     this->UpdateProgress(SyntheticTissue::GrowthStart +
@@ -234,11 +235,7 @@ SyntheticTissueImageSource<TOutputImage>::AssignCells(const tissue::AnisotropicT
 {
   OutputImageType * output = this->GetOutput();
   const RegionType  region = output->GetRequestedRegion();
-  SizeType          brickSize;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    brickSize[i] = 1 + static_cast<SizeValueType>(0.5 * cellDiameter / output->GetSpacing()[i]);
-  }
+  const SizeType    brickSize = TessellationBricks::SizeOfLength(output, 0.5 * cellDiameter);
   this->GetMultiThreader()->template ParallelizeImageRegion<3>(
     region,
     [&](const RegionType & chunk) {

@@ -71,6 +71,19 @@ EnclosingBall(const TImage * image, const typename TImage::RegionType & region)
   return ball;
 }
 
+/** The voxels along each axis that make up a length in physical units, at least one. */
+template <typename TImage>
+typename TImage::SizeType
+SizeOfLength(const TImage * image, double length)
+{
+  typename TImage::SizeType size;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    size[i] = std::max<SizeValueType>(1, static_cast<SizeValueType>(length / image->GetSpacing()[i]));
+  }
+  return size;
+}
+
 /** The voxels that are to be cells, as evenly spread samples: about 125 a cell of the diameter, 27 a group. */
 template <typename TImage>
 tissue::TissueSamples
@@ -80,11 +93,10 @@ SampleTissue(const TImage * image, typename TImage::PixelType exteriorLabel, dou
   using IndexType = typename TImage::IndexType;
   using RegionType = typename TImage::RegionType;
   tissue::TissueSamples samples;
-  SizeType              stride;
+  const SizeType        stride = SizeOfLength(image, cellDiameter / 5.0);
   SizeType              brickSize;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    stride[i] = std::max<SizeValueType>(1, static_cast<SizeValueType>(cellDiameter / (5.0 * image->GetSpacing()[i])));
     brickSize[i] = 3 * stride[i];
     samples.boxSize[i] = static_cast<double>(stride[i]) * image->GetSpacing()[i];
   }
