@@ -166,12 +166,7 @@ TEST(DelaunayTetrahedralization, NoCellIsInsideACircumsphere)
     {
       continue;
     }
-    // The circumcentre by Cramer's rule on |x - p0|^2 = |x - pi|^2.
-    const Point  a = centers[t[1]] - centers[t[0]];
-    const Point  b = centers[t[2]] - centers[t[0]];
-    const Point  c = centers[t[3]] - centers[t[0]];
-    const Point  sum = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
-    const Point  center = centers[t[0]] + (0.5 / Dot(a, Cross(b, c))) * sum;
+    const Point  center = Circumcenter(centers[t[0]], centers[t[1]], centers[t[2]], centers[t[3]]);
     const double limit = radius(center, t[0]) * (1.0 - 1e-9);
     for (VertexId v = 1; v < static_cast<VertexId>(centers.size()); ++v)
     {

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "TestComplexes.h"
 
+#include "TissueTessellationCore/LocalOperations.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -4,6 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "RandomMoves.h"
 #include "TestComplexes.h"
 
 #include "TissueTessellationCore/EnergyFunction.h"

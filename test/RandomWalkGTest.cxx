@@ -4,6 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "RandomMoves.h"
 #include "TestComplexes.h"
 
 #include "TissueTessellationCore/ExactPredicates.h"
@@ -39,14 +40,16 @@ class RandomWalk : public testing::TestWithParam<Legality>
 
 TEST_P(RandomWalk, StaysValidAndEveryInverseRestores)
 {
-  const auto            centers = RandomCenters(10, 1);
+  const auto            centers = RandomCenters(12, 1);
   AdjacencyComplex      complex = DelaunayComplex(centers);
   const auto            start = complex.GetTetrahedra();
   const LocalOperations operations(complex, centers, GetParam());
   Random                random(1);
   int                   numbersOf[2] = { 0, 0 }; // swaps and removals
+  int                   tried = 0;
   for (int done = 0; done < NumberOfMoves;)
   {
+    ASSERT_LT(++tried, 100 * NumberOfMoves) << "stuck after " << done << " moves";
     const Proposal move = RandomMove(complex, operations, random);
     if (!move)
     {

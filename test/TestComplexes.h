@@ -11,7 +11,6 @@
 #include "TissueTessellationCore/ComplexValidity.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/JunctionSet.h"
-#include "TissueTessellationCore/LocalOperations.h"
 #include "TissueTessellationCore/Random.h"
 #include "TissueTessellationCore/Vector.h"
 
@@ -26,9 +25,8 @@ namespace testing_complexes
 {
 using namespace tissue;
 
-const Point NoPosition{ { std::numeric_limits<double>::quiet_NaN(),
-                          std::numeric_limits<double>::quiet_NaN(),
-                          std::numeric_limits<double>::quiet_NaN() } };
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+const Point      NoPosition{ { NaN, NaN, NaN } };
 
 /** A positive tetrahedron to the exterior on a surface triangle that is counterclockwise seen from outside. */
 inline VertexQuadruple
@@ -174,6 +172,17 @@ RandomCenters(int numberOfCells, std::uint64_t seed, double side = 1.0)
   return centers;
 }
 
+/** The point at equal distance from four points. */
+inline Point
+Circumcenter(const Point & p, const Point & q, const Point & r, const Point & s)
+{
+  const Point a = q - p;
+  const Point b = r - p;
+  const Point c = s - p;
+  const Point sum = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
+  return p + (0.5 / Dot(a, Cross(b, c))) * sum;
+}
+
 inline AdjacencyComplex
 DelaunayComplex(const std::vector<Point> & centers)
 {
@@ -211,44 +220,6 @@ JunctionsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers
   return junctions;
 }
 
-inline TetrahedronId
-RandomTetrahedron(const AdjacencyComplex & complex, Random & random)
-{
-  TetrahedronId id;
-  do
-  {
-    id = static_cast<TetrahedronId>(random.Index(static_cast<std::size_t>(complex.TetrahedronIdBound())));
-  } while (!complex.IsAlive(id));
-  return id;
-}
-
-/** A triangle swap or an edge removal, each with probability 1/2, on a random element; legal or not. */
-inline Proposal
-RandomMove(const AdjacencyComplex & complex, const LocalOperations & operations, Random & random)
-{
-  const TetrahedronId id = RandomTetrahedron(complex, random);
-  const auto          i = static_cast<int>(random.Index(4));
-  if (random.Uniform() < 0.5)
-  {
-    return operations.SwapTriangle(id, i);
-  }
-  const VertexQuadruple & t = complex.GetTetrahedron(id).vertices;
-  return operations.RemoveEdge({ { t[i], t[(i + 1 + random.Index(3)) % 4] } });
-}
-
-/** Makes a number of legal random moves. */
-inline void
-Scramble(AdjacencyComplex & complex, const LocalOperations & operations, int numberOfMoves, Random & random)
-{
-  for (int done = 0; done < numberOfMoves;)
-  {
-    if (const Proposal move = RandomMove(complex, operations, random))
-    {
-      complex.Apply(move.replacement);
-      ++done;
-    }
-  }
-}
 } // namespace testing_complexes
 
 #endif
