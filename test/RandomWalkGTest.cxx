@@ -1,0 +1,100 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "RandomMoves.h"
+#include "TestComplexes.h"
+
+#include "TissueTessellationCore/ExactPredicates.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_complexes;
+
+namespace
+{
+/** V - E + F - T, with F = 2 T in a closed complex. */
+long
+EulerCharacteristic(const AdjacencyComplex & complex)
+{
+  return static_cast<long>(complex.NumberOfVertices()) - static_cast<long>(complex.NumberOfEdges()) +
+         static_cast<long>(complex.NumberOfTetrahedra());
+}
+
+std::int64_t
+NumberOfInvertedCells(const AdjacencyComplex & complex, const std::vector<Point> & centers)
+{
+  const auto tetrahedra = complex.GetTetrahedra();
+  return std::count_if(tetrahedra.begin(), tetrahedra.end(), [&centers](const VertexQuadruple & t) {
+    return t[0] != ExteriorVertex && Orientation(centers[t[0]], centers[t[1]], centers[t[2]], centers[t[3]]) <= 0;
+  });
+}
+
+constexpr int NumberOfMoves = 10000;
+
+class RandomWalk : public testing::TestWithParam<Legality>
+{};
+} // namespace
+
+TEST_P(RandomWalk, StaysValidAndEveryInverseRestores)
+{
+  const auto            centers = RandomCenters(12, 1);
+  AdjacencyComplex      complex = DelaunayComplex(centers);
+  const auto            start = complex.GetTetrahedra();
+  const LocalOperations operations(complex, centers, GetParam());
+  Random                random(1);
+  int                   numbersOf[2] = { 0, 0 }; // swaps and removals
+  int                   tried = 0;
+  for (int done = 0; done < NumberOfMoves;)
+  {
+    ASSERT_LT(++tried, 100 * NumberOfMoves) << "stuck after " << done << " moves";
+    const Proposal move = RandomMove(complex, operations, random);
+    if (!move)
+    {
+      EXPECT_NE(move.verdict, Verdict::Legal);
+      continue;
+    }
+    const auto        before = complex.GetTetrahedra();
+    const Replacement inverse = complex.Apply(move.replacement);
+    const auto        violations = FindViolations(complex);
+    ASSERT_TRUE(violations.empty()) << "move " << done << ": " << violations[0];
+    ASSERT_EQ(EulerCharacteristic(complex), 0) << "move " << done;
+    ASSERT_NE(complex.GetTetrahedra(), before) << "move " << done;
+
+    const Replacement again = complex.Apply(inverse);
+    ASSERT_EQ(complex.GetTetrahedra(), before) << "back from move " << done;
+    complex.Apply(again);
+    ++numbersOf[move.replacement.removedEdges.empty() ? 0 : 1];
+    ++done;
+  }
+  EXPECT_NE(complex.GetTetrahedra(), start);
+  EXPECT_GT(numbersOf[0], NumberOfMoves / 10);
+  EXPECT_GT(numbersOf[1], NumberOfMoves / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Legalities, RandomWalk, testing::Values(Legality::Combinatorial, Legality::Geometric),
+                         [](const testing::TestParamInfo<Legality> & info) {
+                           return info.param == Legality::Geometric ? "Geometric" : "Combinatorial";
+                         });
+
+TEST(RandomWalkGeometry, GeometricLegalityKeepsEveryTetrahedronPositive)
+{
+  const auto centers = RandomCenters(60, 2);
+  for (const Legality legality : { Legality::Geometric, Legality::Combinatorial })
+  {
+    AdjacencyComplex complex = DelaunayComplex(centers);
+    ASSERT_EQ(NumberOfInvertedCells(complex, centers), 0);
+    Random random(2);
+    Scramble(complex, LocalOperations(complex, centers, legality), 2000, random);
+    if (legality == Legality::Geometric)
+    {
+      EXPECT_EQ(NumberOfInvertedCells(complex, centers), 0);
+    }
+    else
+    {
+      EXPECT_GT(NumberOfInvertedCells(complex, centers), 0) << "combinatorial legality does not care";
+    }
+  }
+}

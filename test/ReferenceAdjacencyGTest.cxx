@@ -1,0 +1,64 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TestComplexes.h"
+
+#include "TissueTessellationCore/ReferenceAdjacency.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_complexes;
+
+TEST(ReferenceAdjacency, HoldsTheTuplesOfTheImageInAnyOrder)
+{
+  const AdjacencyComplex   complex(7, Bipyramid(4));
+  const ReferenceAdjacency reference(JunctionsOf(complex, BipyramidCenters(std::vector<Point>(4))));
+  EXPECT_EQ(reference.NumberOfPairs(), complex.NumberOfEdges());
+  EXPECT_EQ(reference.NumberOfQuadruples(), complex.NumberOfTetrahedra());
+  for (VertexId u = 0; u < 7; ++u)
+  {
+    for (VertexId v = 0; v < 7; ++v)
+    {
+      EXPECT_EQ(reference.HasPair(u, v), u != v && complex.FindEdge(u, v) != nullptr) << u << " " << v;
+    }
+  }
+  VertexQuadruple t{ { 1, 2, 5, 6 } };
+  do
+  {
+    EXPECT_TRUE(reference.HasQuadruple(t));
+  } while (std::next_permutation(t.begin(), t.end()));
+  EXPECT_TRUE(reference.HasQuadruple({ { 0, 2, 3, 4 } }));
+  EXPECT_FALSE(reference.HasQuadruple({ { 1, 2, 3, 5 } }));
+  EXPECT_FALSE(reference.HasQuadruple({ { 0, 1, 2, 3 } }));
+}
+
+TEST(ReferenceAdjacency, JaccardByHand)
+{
+  EXPECT_DOUBLE_EQ(Jaccard(2, 3, 5), 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(Jaccard(0, 3, 5), 0.0);
+  EXPECT_DOUBLE_EQ(Jaccard(4, 4, 4), 1.0);
+  EXPECT_DOUBLE_EQ(Jaccard(0, 0, 0), 0.0);
+}
+
+TEST(ReferenceAdjacency, OverlapByHand)
+{
+  const AdjacencyComplex complex(6, Bipyramid(3));
+  JunctionSet            junctions = JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3)));
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency4, 1.0);
+
+  // Of 15 pairs (all of six vertices) and 9 quadruples the image lacks two each, and it has one quadruple more.
+  ASSERT_EQ(junctions.walls.size(), 15u);
+  ASSERT_EQ(junctions.junctions.size(), 9u);
+  junctions.walls.erase(junctions.walls.begin() + 3, junctions.walls.begin() + 5);
+  junctions.junctions.erase(junctions.junctions.begin(), junctions.junctions.begin() + 2);
+  Junction more;
+  more.cells = { { 0, 3, 4, 5 } };
+  junctions.junctions.push_back(more);
+  const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions));
+  EXPECT_DOUBLE_EQ(overlap.adjacency2, 13.0 / 15.0);
+  EXPECT_DOUBLE_EQ(overlap.adjacency4, 7.0 / 10.0);
+}
