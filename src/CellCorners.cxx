@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace tissue
 {
@@ -130,6 +131,38 @@ AverageNeighbors(const AdjacencyComplex & complex, const std::vector<std::size_t
     }
   }
 }
+
+/** A block of more than four cells is the place of several corners: moves each of them a little towards the centres of
+ * its own cells, so that no edge between them has length 0. */
+void
+SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const std::vector<Cell> & cells,
+                   std::vector<Point> & corners)
+{
+  constexpr double         share = 0.05;
+  std::map<Point, int>     counts;
+  const std::vector<Point> old = corners;
+  for (const Point & corner : old)
+  {
+    ++counts[corner];
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    if (counts[old[i]] > 1)
+    {
+      Point  sum{ { 0.0, 0.0, 0.0 } };
+      double n = 0.0;
+      for (const VertexId v : tetrahedra[i])
+      {
+        if (v != ExteriorVertex)
+        {
+          sum = sum + cells[v].center;
+          n += 1.0;
+        }
+      }
+      corners[i] = old[i] + share * ((1.0 / n) * sum - old[i]);
+    }
+  }
+}
 } // namespace
 
 Point
@@ -207,6 +240,7 @@ ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, 
     }
   }
   AverageNeighbors(complex, missing, corners);
+  SeparateCoincident(tetrahedra, junctions.cells, corners);
   return corners;
 }
 } // namespace tissue

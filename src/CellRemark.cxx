@@ -65,6 +65,8 @@ ToString(Remark remark)
       return "enclosed";
     case Remark::Separated:
       return "separated";
+    case Remark::StrayPart:
+      return "strayPart";
     case Remark::CenterMoved:
       return "centerMoved";
     case Remark::ExteriorLost:
@@ -96,6 +98,9 @@ Describe(const CellRemark & remark)
       break;
     case Remark::Separated:
       text << "touches no other cell";
+      break;
+    case Remark::StrayPart:
+      text << "is in a small part of the tissue that touches no other; false walls join it to the nearest part";
       break;
     case Remark::CenterMoved:
       text << "had the same centre as another cell; moved by " << remark.value;

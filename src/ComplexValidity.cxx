@@ -36,39 +36,35 @@ Ascending(T vertices)
 
 using Adjacency = std::map<VertexId, std::set<VertexId>>;
 
-/** Number of vertices joined to the first one, itself included. */
+/** Number of connected components. */
 std::size_t
-CountReached(const Adjacency & adjacent)
+CountComponents(const Adjacency & adjacent)
 {
-  std::set<VertexId>    reached;
-  std::vector<VertexId> open;
-  const auto            reach = [&](VertexId v) {
-    if (reached.insert(v).second)
-    {
-      open.push_back(v);
-    }
-  };
-  if (!adjacent.empty())
+  std::set<VertexId> reached;
+  std::size_t        components = 0;
+  for (const auto & [start, unused] : adjacent)
   {
-    reach(adjacent.begin()->first);
-  }
-  while (!open.empty())
-  {
-    const VertexId u = open.back();
-    open.pop_back();
-    for (const VertexId v : adjacent.at(u))
+    components += reached.count(start) == 0 ? 1 : 0;
+    std::vector<VertexId> open{ start };
+    while (!open.empty())
     {
-      reach(v);
+      const VertexId u = open.back();
+      open.pop_back();
+      if (reached.insert(u).second)
+      {
+        open.insert(open.end(), adjacent.at(u).begin(), adjacent.at(u).end());
+      }
     }
   }
-  return reached.size();
+  return components;
 }
 
 class Check
 {
 public:
-  explicit Check(const AdjacencyComplex & complex)
+  Check(const AdjacencyComplex & complex, std::size_t numberOfParts)
     : m_Complex(complex)
+    , m_NumberOfParts(numberOfParts)
     , m_Star(static_cast<std::size_t>(complex.NumberOfVertices()))
   {}
 
@@ -246,10 +242,14 @@ private:
     }
     const auto euler =
       static_cast<long>(adjacent.size()) - static_cast<long>(halfEdges / 2) + static_cast<long>(triangles.size());
-    if (CountReached(adjacent) != adjacent.size() || euler != 2)
+    const std::size_t spheres = v == ExteriorVertex ? m_NumberOfParts : 1;
+    const std::size_t components = CountComponents(adjacent);
+    if (components != spheres || euler != 2 * static_cast<long>(spheres))
     {
-      m_Violations.push_back("the link of vertex " + std::to_string(v) + " is not one sphere: Euler characteristic " +
-                             std::to_string(euler));
+      m_Violations.push_back("the link of vertex " + std::to_string(v) + " is not " +
+                             (spheres == 1 ? std::string("one sphere") : std::to_string(spheres) + " spheres") +
+                             ": Euler characteristic " + std::to_string(euler) + ", components " +
+                             std::to_string(components));
     }
   }
 
@@ -263,15 +263,15 @@ private:
       adjacent[edge[0]].insert(edge[1]);
       adjacent[edge[1]].insert(edge[0]);
     }
-    const std::size_t reached = CountReached(adjacent);
-    if (reached != adjacent.size())
+    const std::size_t components = CountComponents(adjacent);
+    if (components > 1)
     {
-      m_Violations.push_back("the complex is not one piece: of " + std::to_string(adjacent.size()) + " vertices " +
-                             std::to_string(reached) + " are joined to the first");
+      m_Violations.push_back("the complex is not one piece: it has " + std::to_string(components));
     }
   }
 
   const AdjacencyComplex &               m_Complex;
+  std::size_t                            m_NumberOfParts;
   std::vector<std::vector<VertexTriple>> m_Star; // the link's triangles of each vertex
   std::map<VertexTriple, int>            m_Triangles;
   std::map<VertexPair, std::int32_t>     m_Degrees;
@@ -281,8 +281,8 @@ private:
 } // namespace
 
 std::vector<std::string>
-FindViolations(const AdjacencyComplex & complex)
+FindViolations(const AdjacencyComplex & complex, std::size_t numberOfParts)
 {
-  return Check(complex).Run();
+  return Check(complex, numberOfParts).Run();
 }
 } // namespace tissue

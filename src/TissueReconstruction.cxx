@@ -8,6 +8,7 @@
 
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/TissueParts.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallRefinement.h"
 
@@ -70,6 +71,28 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
   return centers;
 }
 
+/** The Delaunay tetrahedralization of each part of the tissue, closed by the exterior. */
+std::vector<VertexQuadruple>
+TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & centers)
+{
+  std::vector<VertexQuadruple> tetrahedra;
+  for (const std::vector<VertexId> & part : parts.parts)
+  {
+    std::vector<VertexId> vertices{ ExteriorVertex };
+    vertices.insert(vertices.end(), part.begin(), part.end());
+    std::vector<Point> points;
+    for (const VertexId v : vertices)
+    {
+      points.push_back(centers[v]);
+    }
+    for (const VertexQuadruple & t : DelaunayTetrahedralization(points))
+    {
+      tetrahedra.push_back({ { vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]] } });
+    }
+  }
+  return tetrahedra;
+}
+
 WallMesh
 MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const ReconstructionParameters & parameters)
 {
@@ -90,8 +113,8 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   parameters.Check();
   TissueReconstruction     result;
   Stopwatch                stopwatch;
-  std::vector<CellRemark>  moved;
-  const std::vector<Point> centers = SeparateCenters(junctions, moved);
+  std::vector<CellRemark>  remarks;
+  const std::vector<Point> centers = SeparateCenters(junctions, remarks);
   const ReferenceAdjacency reference(junctions);
   // The statistics of a stage do not count for the time of the next one.
   const auto finishStage = [&](const AdjacencyComplex & complex) {
@@ -102,7 +125,9 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
     return stage;
   };
 
-  AdjacencyComplex complex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
+  const TissueParts parts = FindTissueParts(junctions, centers);
+  result.numberOfParts = parts.parts.size();
+  AdjacencyComplex complex(static_cast<VertexId>(centers.size()), TetrahedralizeParts(parts, centers));
   result.delaunay = finishStage(complex);
   Report(progress, DelaunayShare);
 
@@ -126,8 +151,12 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
 
   result.tetrahedra = complex.GetTetrahedra();
   result.walls = MakeWalls(complex, junctions, parameters);
+  for (const VertexId cell : parts.strayCells)
+  {
+    remarks.push_back({ cell, Remark::StrayPart, 0.0 });
+  }
   result.remarks = CollectRemarks(complex, junctions);
-  result.remarks.insert(result.remarks.end(), moved.begin(), moved.end());
+  result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
   std::stable_sort(result.remarks.begin(), result.remarks.end(), [](const CellRemark & a, const CellRemark & b) {
     return a.cell < b.cell;
   });

@@ -29,6 +29,9 @@ enum class Remark
   Enclosed,
   /** The cell touches no other cell in the image, only the exterior. */
   Separated,
+  /** The cell's part of the tissue touches no other and is too small for a complex of its own; false walls join it to
+   * the nearest part. */
+  StrayPart,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */

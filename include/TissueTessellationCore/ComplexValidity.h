@@ -18,9 +18,10 @@ namespace tissue
  *
  * Checked from scratch: four different vertices a tetrahedron; neighbours symmetric and across the same triangle, with
  * opposite orientations; no two tetrahedra with the same vertices, every triangle in exactly two; the records of edges
- * and of numbers of neighbours; every vertex present and its link one 2-sphere; the complex one piece. */
+ * and of numbers of neighbours; every vertex present and its link one 2-sphere; the complex one piece. Where parts of
+ * the tissue touch in the exterior alone, the exterior's link is one sphere for each of them. */
 std::vector<std::string>
-FindViolations(const AdjacencyComplex & complex);
+FindViolations(const AdjacencyComplex & complex, std::size_t numberOfParts = 1);
 } // namespace tissue
 
 #endif

@@ -36,6 +36,8 @@ struct TissueReconstruction
   ReconstructionStage optimized;
   double              dualSeconds = 0.0;
 
+  /** Parts of the tissue that share no junction: the exterior's link has as many spheres. */
+  std::size_t numberOfParts = 1;
   /** The l_max that was used. */
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
@@ -44,7 +46,8 @@ struct TissueReconstruction
 };
 
 /** \brief From the junctions of a label image to the mesh of its cell walls (paper, sections 3 and 4.2):
- * Delaunay, clean-up, optimization, dual.
+ * Delaunay, clean-up, optimization, dual. Parts of the tissue that share no junction (TissueParts.h) have a complex
+ * each.
  *
  * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. Cells with the same
  * centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. \throws

@@ -1,0 +1,35 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TissueParts_h
+#define TissueTessellationCore_TissueParts_h
+
+#include "TissueTessellationCore/JunctionSet.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** \brief The parts of a tissue that touch each other in the exterior alone.
+ *
+ * Each part has a complex of its own, closed by the exterior; joined in one they would need walls that are not there.
+ */
+struct TissueParts
+{
+  /** The cells of each part, ascending; the largest part first, of equal ones that with the smallest label. */
+  std::vector<std::vector<VertexId>> parts;
+  /** Cells of parts too small for a complex (fewer than four cells, or centres in one plane), which were counted to the
+   * part of the nearest cell; ascending. */
+  std::vector<VertexId> strayCells;
+};
+
+/** Parts are connected by junctions. `centers` has a position for every vertex of `junctions`. A tissue that has no
+ * part large enough is one part. */
+TissueParts
+FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & centers);
+} // namespace tissue
+
+#endif
