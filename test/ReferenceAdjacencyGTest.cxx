@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace testing_complexes;
 
 TEST(ReferenceAdjacency, HoldsTheTuplesOfTheImageInAnyOrder)
@@ -58,6 +60,9 @@ TEST(ReferenceAdjacency, OverlapByHand)
   Junction more;
   more.cells = { { 0, 3, 4, 5 } };
   junctions.junctions.push_back(more);
+  std::sort(junctions.junctions.begin(), junctions.junctions.end(), [](const Junction & a, const Junction & b) {
+    return a.cells < b.cells;
+  });
   const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions));
   EXPECT_DOUBLE_EQ(overlap.adjacency2, 13.0 / 15.0);
   EXPECT_DOUBLE_EQ(overlap.adjacency4, 7.0 / 10.0);

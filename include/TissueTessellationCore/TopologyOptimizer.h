@@ -33,9 +33,11 @@ struct AnnealingParameters
   RingRule ringRule = RingRule::ProjectedDelaunay;
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 1000;
-  /** After the cycles, where there is a reference and combinatorial legality; the paper has none. */
-  VertexRelocationParameters relocation;
+  /** Whether the cycles are followed by annealing where the complex is wrong and by the relocation of vertices, which
+   * the paper has not; where there is a reference and legality is combinatorial. */
+  bool                       isFocused = false;
   FocusedAnnealingParameters focus;
+  VertexRelocationParameters relocation;
   std::uint64_t              seed = 1;
 };
 
