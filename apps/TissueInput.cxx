@@ -18,6 +18,7 @@
 #include "itkLabelJunctionExtractionFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -107,6 +108,24 @@ CheckThatCellsTouch(const JunctionSet & junctions, const TissueTessellationOptio
     throw std::runtime_error(message + help.str());
   }
   input.warnings.push_back(message);
+}
+
+void
+CheckSpacing(const itk::ImageIOBase * io, TissueInput & input)
+{
+  // Some formats hold the inverse of the spacing, in single precision.
+  const auto isOne = [](double spacing) { return std::abs(spacing - 1.0) < 1e-6; };
+  if (std::all_of(input.spacing.begin(), input.spacing.end(), isOne))
+  {
+    input.warnings.push_back(
+      "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
+      "volumes depend on; --spacing X Y Z gives it");
+  }
+  else if (std::string(io->GetNameOfClass()) == "TIFFImageIO")
+  {
+    input.warnings.push_back("a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
+                             "the voxel size");
+  }
 }
 
 /** Seconds since the last call or the start. */
@@ -305,11 +324,9 @@ ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress)
     default:
       Process<long long>(io, options, progress, input);
   }
-  if (input.spacing == std::array<double, 3>{ 1.0, 1.0, 1.0 } && !options.spacing)
+  if (!options.spacing)
   {
-    input.warnings.push_back(
-      "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
-      "volumes depend on; --spacing X Y Z gives it");
+    CheckSpacing(io, input);
   }
   CheckThatCellsTouch(input.junctions->GetJunctionSet(), options, input);
   return input;
