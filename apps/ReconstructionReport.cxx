@@ -45,6 +45,41 @@ LabelsOf(const std::vector<VertexId> & vertices, const std::vector<Cell> & cells
   return labels;
 }
 
+/** What is to be said of one cell. */
+struct Note
+{
+  Label       label;
+  std::string reason;
+  double      value;
+  std::string text;
+};
+
+/** The remarks on cells, and those that the check of the mesh adds. */
+std::vector<Note>
+CollectNotes(const ReconstructionReport & report)
+{
+  const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
+  std::vector<Note>         notes;
+  for (const Label label : LabelsOf(report.check.cellsWithoutTriangles, cells))
+  {
+    notes.push_back({ label, "missing", 0.0, "is missing from the mesh" });
+  }
+  for (const VertexId v : report.check.cellsThatAreNoSphere)
+  {
+    const auto characteristic = report.check.cells[v].eulerCharacteristic;
+    notes.push_back(
+      { cells[v].label,
+        "noClosedSphere",
+        static_cast<double>(characteristic),
+        "has a surface that is no closed sphere; its Euler characteristic is " + std::to_string(characteristic) });
+  }
+  for (const CellRemark & remark : report.reconstruction.remarks)
+  {
+    notes.push_back({ cells[remark.cell].label, ToString(remark.remark), remark.value, Describe(remark) });
+  }
+  return notes;
+}
+
 Json
 MeshToJson(const ReconstructionReport & report)
 {
@@ -93,8 +128,10 @@ ToJson(const ReconstructionReport & report)
                     { "tripleLines", junctions.tripleLines.size() },
                     { "junctions", junctions.junctions.size() },
                     { "blocksOfMoreThanFourCells", junctions.numberOfCrowdedBlocks },
-                    { "voxelsOfClosedGaps", report.input.numberOfClosedVoxels },
-                    { "largestClosedDistance", report.input.largestClosedDistance } };
+                    { "closedGaps",
+                      { { "width", report.input.closedGapWidth },
+                        { "voxels", report.input.numberOfClosedVoxels },
+                        { "largestDistance", report.input.largestClosedDistance } } } };
   json["options"] = ToJson(report.options);
   json["stages"] = { { "delaunay", ToJson(r.delaunay) },
                      { "cleaned", ToJson(r.cleaned) },
@@ -111,17 +148,38 @@ ToJson(const ReconstructionReport & report)
                                { "energy", cycle.energy } });
   }
   json["mesh"] = MeshToJson(report);
-  json["seconds"] = SecondsToJson(report);
-  json["warnings"] = report.input.warnings;
-  json["cells"] = Json::array();
-  for (const CellRemark & remark : r.remarks)
+  json["warnings"] = CollectWarnings(report);
+  json["remarks"] = Json::array();
+  for (const Note & note : CollectNotes(report))
   {
-    json["cells"].push_back({ { "label", junctions.cells[remark.cell].label },
-                              { "reason", ToString(remark.remark) },
-                              { "value", remark.value },
-                              { "text", Describe(remark) } });
+    json["remarks"].push_back(
+      { { "label", note.label }, { "reason", note.reason }, { "value", note.value }, { "text", note.text } });
   }
+  json["seconds"] = SecondsToJson(report);
   return json;
+}
+
+std::vector<std::string>
+CollectWarnings(const ReconstructionReport & report)
+{
+  const CellSurfaceCheck &  check = report.check;
+  const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
+  std::vector<std::string>  warnings = report.input.warnings;
+  const auto                addCells = [&](const std::vector<VertexId> & vertices, const std::string & what) {
+    if (!vertices.empty())
+    {
+      warnings.push_back(std::to_string(vertices.size()) + " cells " + what + " (labels " +
+                         NameLabels(LabelsOf(vertices, cells)) + ")");
+    }
+  };
+  addCells(check.cellsWithoutTriangles, "of the image are missing from the mesh");
+  addCells(check.cellsThatAreNoSphere, "have a surface that is no closed sphere");
+  if (!check.crowdedPoints.empty())
+  {
+    warnings.push_back("at " + std::to_string(check.crowdedPoints.size()) +
+                       " points of the mesh more than four cells meet");
+  }
+  return warnings;
 }
 
 namespace
@@ -129,8 +187,10 @@ namespace
 void
 PrintStages(const TissueReconstruction & r, std::ostream & stream)
 {
-  stream << "            adjacency2 adjacency4  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
-         << std::fixed;
+  stream
+    << "Agreement with the image, 1 at best: adjacency2 by pairs of neighbours, adjacency4 by corners of four cells\n"
+    << "            adjacency2 adjacency4  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
+    << std::fixed;
   const auto row = [&stream](const char * name, const ReconstructionStage & stage) {
     const ComplexStatistics & s = stage.statistics;
     stream << std::left << std::setw(12) << name << std::right << std::setprecision(4) << std::setw(10) << s.adjacency2
@@ -143,21 +203,42 @@ PrintStages(const TissueReconstruction & r, std::ostream & stream)
   row("optimized", r.optimized);
 }
 
+/** A remark in words, after the number of the cells that it is on. */
+std::string
+DescribeReason(const std::string & reason)
+{
+  static const std::map<std::string, std::string> words{
+    { "missing", "missing from the mesh" },
+    { "noClosedSphere", "with a surface that is no closed sphere" },
+    { "severalPieces", "in several pieces; the largest counts" },
+    { "cutByBorder", "on the border of the image, where they may be cut" },
+    { "enclosed", "enclosed in one other cell" },
+    { "separated", "without a neighbour in the image" },
+    { "centerMoved", "moved, their centre being another cell's too" },
+    { "exteriorLost", "at the exterior in the image, but not in the mesh" },
+    { "exteriorGained", "at the exterior in the mesh, but not in the image" },
+    { "wallsLost", "without some wall that they have in the image" },
+    { "wallsGained", "with some wall that they do not have in the image" },
+  };
+  const auto found = words.find(reason);
+  return found == words.end() ? reason : found->second;
+}
+
 void
 PrintRemarks(const ReconstructionReport & report, std::ostream & stream)
 {
-  std::map<Remark, std::size_t> counts;
-  for (const CellRemark & remark : report.reconstruction.remarks)
+  std::map<std::string, std::vector<Label>> labels;
+  for (const Note & note : CollectNotes(report))
   {
-    ++counts[remark.remark];
+    labels[note.reason].push_back(note.label);
   }
-  if (!counts.empty())
+  if (!labels.empty())
   {
-    stream << "Cells with remarks (each by label in --report):\n";
+    stream << "Cells with remarks (all of them, by label, in --report):\n";
   }
-  for (const auto & [remark, count] : counts)
+  for (const auto & [reason, some] : labels)
   {
-    stream << "  " << std::left << std::setw(16) << ToString(remark) << std::right << std::setw(6) << count << '\n';
+    stream << std::setw(7) << some.size() << ' ' << DescribeReason(reason) << ": " << NameLabels(some) << '\n';
   }
 }
 } // namespace
@@ -172,10 +253,10 @@ Print(const ReconstructionReport & report, std::ostream & stream)
   stream << report.options.labels << ": " << input.size[0] << " x " << input.size[1] << " x " << input.size[2]
          << " voxels of " << input.spacing[0] << " x " << input.spacing[1] << " x " << input.spacing[2] << ", "
          << numberOfCells << " cells, exterior label " << input.exteriorLabel << '\n';
-  if (input.numberOfClosedVoxels > 0)
+  if (report.options.closeGaps)
   {
-    stream << "Gaps closed: " << input.numberOfClosedVoxels << " voxels, at most " << input.largestClosedDistance
-           << " from the label they were given\n";
+    stream << "Gaps up to a width of " << input.closedGapWidth << " closed: " << input.numberOfClosedVoxels
+           << " voxels given to cells, at most " << input.largestClosedDistance << " away\n";
   }
   PrintStages(report.reconstruction, stream);
   stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
@@ -186,5 +267,12 @@ Print(const ReconstructionReport & report, std::ostream & stream)
          << " of " << numberOfCells << "; points with more than four cells: " << report.check.crowdedPoints.size()
          << '\n';
   PrintRemarks(report, stream);
+  const char * separator = "Written: ";
+  for (const auto & [path, content] : report.options.Outputs())
+  {
+    stream << separator << path << " (" << content << ')';
+    separator = ", ";
+  }
+  stream << '\n';
 }
 } // namespace tissue

@@ -27,11 +27,18 @@ struct ReconstructionReport
   double                            checkSeconds = 0.0;
 };
 
-/** The report as JSON: program, input, options, stages, mesh, seconds, warnings, and every remark on a cell. */
+/** \brief The report as JSON: program, input, options, stages, cleanUp, cycles, mesh, warnings, remarks, seconds.
+ *
+ * All times are in `seconds`: without it, reports of the same input and options are the same. */
 nlohmann::ordered_json
 ToJson(const ReconstructionReport & report);
 
-/** The report for a person: the stages as the rows of the paper's Table 1, the mesh, and the remarks by kind. */
+/** What the user must know: of the input, and where the mesh is not what it should be. One line each. */
+std::vector<std::string>
+CollectWarnings(const ReconstructionReport & report);
+
+/** The report for a person: the input, the stages as the rows of the paper's Table 1, the mesh, the remarks on cells by
+ * kind, and the files written. */
 void
 Print(const ReconstructionReport & report, std::ostream & stream);
 } // namespace tissue

@@ -8,6 +8,7 @@
 
 #include "OutputFiles.h"
 #include "ProgressBar.h"
+#include "RunProgram.h"
 #include "itkSyntheticTissueImageSource.h"
 
 #include <CLI/CLI.hpp>
@@ -204,6 +205,12 @@ main(int argc, char * argv[])
   try
   {
     app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  return tissue::RunProgram("SyntheticTissue", [&options] {
     if (options.threads > 0)
     {
       itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
@@ -221,20 +228,5 @@ main(int argc, char * argv[])
     {
       Run<std::uint32_t>(options);
     }
-  }
-  catch (const CLI::ParseError & error)
-  {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    std::cerr << "SyntheticTissue: " << error.GetDescription() << '\n';
-    return EXIT_FAILURE;
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << "SyntheticTissue: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  });
 }

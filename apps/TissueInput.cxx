@@ -6,15 +6,20 @@
  *=========================================================================*/
 #include "TissueInput.h"
 
+#include "ImageFileCheck.h"
+#include "StandardErrorCapture.h"
 #include "TissueTessellationCore/SeparatedCells.h"
+#include "itkExteriorLabelImageCalculator.h"
 #include <itkChangeInformationImageFilter.h>
 #include <itkImageFileReader.h>
 #include <itkTimeProbe.h>
-#include <itksys/SystemTools.hxx>
 
 #include "itkLabelGapClosingImageFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,28 +28,36 @@ namespace tissue
 namespace
 {
 constexpr unsigned int Dimension = 3;
-/** Labels named in a message; the report has them all. */
-constexpr std::size_t NamedLabels = 10;
-
 itk::ImageIOBase::Pointer
-ReadHeader(const std::string & path)
+OpenImage(const std::string & path)
 {
-  if (!itksys::SystemTools::FileExists(path, true))
+  if (std::filesystem::is_directory(path))
   {
-    throw std::runtime_error("no such file: " + path);
+    throw std::runtime_error("a folder, not an image");
+  }
+  if (!std::filesystem::exists(path))
+  {
+    throw std::runtime_error("no such file");
   }
   const itk::ImageIOBase::Pointer io =
     itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::ImageIOFactory::IOFileModeEnum::ReadMode);
   if (!io)
   {
-    throw std::runtime_error("not an image in a format that ITK reads: " + path);
+    throw std::runtime_error("not an image in a format that ITK reads");
   }
   io->SetFileName(path);
   io->ReadImageInformation();
-  const auto require = [&path](bool isMet, const std::string & found, const std::string & needed) {
+  return io;
+}
+
+/** Throws where the image, by its header, is no label image. */
+void
+RequireLabelImage(const itk::ImageIOBase * io)
+{
+  const auto require = [](bool isMet, const std::string & message) {
     if (!isMet)
     {
-      throw std::runtime_error(path + " has " + found + "; " + needed);
+      throw std::runtime_error(message);
     }
   };
   // A trailing axis of one voxel is how some formats write fewer dimensions.
@@ -53,47 +66,66 @@ ReadHeader(const std::string & path)
   {
     --dimensions;
   }
-  require(dimensions == Dimension, std::to_string(dimensions) + " dimensions", "a label image has 3");
+  require(dimensions == Dimension,
+          "the image has " + std::to_string(dimensions) + " dimensions, a label image has " +
+            std::to_string(Dimension));
   require(io->GetNumberOfComponents() == 1,
-          std::to_string(io->GetNumberOfComponents()) + " components a voxel",
-          "a label image has 1");
+          "the image has " + std::to_string(io->GetNumberOfComponents()) + " components a voxel, a label image has 1");
   const auto type = io->GetComponentType();
   require(type != itk::IOComponentEnum::FLOAT && type != itk::IOComponentEnum::DOUBLE &&
             type != itk::IOComponentEnum::LDOUBLE && type != itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE,
-          "pixels of type " + itk::ImageIOBase::GetComponentTypeAsString(type),
-          "labels are integers");
-  return io;
-}
-
-std::string
-NameLabels(const std::vector<VertexId> & cells, const JunctionSet & junctions)
-{
-  std::ostringstream text;
-  for (std::size_t i = 0; i < std::min(cells.size(), NamedLabels); ++i)
-  {
-    text << (i > 0 ? ", " : "") << junctions.cells[cells[i]].label;
-  }
-  text << (cells.size() > NamedLabels ? ", ..." : "");
-  return text.str();
+          "the image has voxels of type " + itk::ImageIOBase::GetComponentTypeAsString(type) + ", labels are integers");
 }
 
 void
-CheckThatCellsTouch(const JunctionSet & junctions, std::vector<std::string> & warnings)
+CheckThatCellsTouch(const JunctionSet & junctions, const TissueTessellationOptions & options, TissueInput & input)
 {
   const std::vector<VertexId> separated = FindSeparatedCells(junctions);
   if (separated.empty())
   {
     return;
   }
+  std::vector<Label> labels;
+  for (const VertexId cell : separated)
+  {
+    labels.push_back(junctions.cells[cell].label);
+  }
   const std::size_t numberOfCells = junctions.cells.size() - 1;
   const std::string message = std::to_string(separated.size()) + " of " + std::to_string(numberOfCells) +
-                              " cells touch no other cell though others are near (labels " +
-                              NameLabels(separated, junctions) + "): a wall of background lies between them";
+                              " cells touch no other cell though others are near (labels " + NameLabels(labels) +
+                              "): a wall of background lies between them";
   if (2 * separated.size() > numberOfCells)
   {
-    throw std::runtime_error(message + "; --closeGaps grows the labels over such walls");
+    std::ostringstream help;
+    if (options.closeGaps)
+    {
+      help << ", wider than the gaps that --closeGaps has closed, of " << input.closedGapWidth;
+    }
+    else
+    {
+      help << "; --closeGaps grows the labels over such walls";
+    }
+    throw std::runtime_error(message + help.str());
   }
-  warnings.push_back(message);
+  input.warnings.push_back(message);
+}
+
+void
+CheckSpacing(const itk::ImageIOBase * io, TissueInput & input)
+{
+  // Some formats hold the inverse of the spacing, in single precision.
+  const auto isOne = [](double spacing) { return std::abs(spacing - 1.0) < 1e-6; };
+  if (std::all_of(input.spacing.begin(), input.spacing.end(), isOne))
+  {
+    input.warnings.push_back(
+      "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
+      "volumes depend on; --spacing X Y Z gives it");
+  }
+  else if (std::string(io->GetNameOfClass()) == "TIFFImageIO")
+  {
+    input.warnings.push_back("a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
+                             "the voxel size");
+  }
 }
 
 /** Seconds since the last call or the start. */
@@ -135,14 +167,58 @@ ReadImage(const TissueTessellationOptions & options)
   return image;
 }
 
+/** The exterior's label, given or found in the image; nothing where the image has none. */
+template <typename TImage>
+std::optional<Label>
+FindExteriorLabel(const TImage * image, const TissueTessellationOptions & options)
+{
+  if (options.exteriorLabel)
+  {
+    return options.exteriorLabel;
+  }
+  const auto calculator = itk::ExteriorLabelImageCalculator<TImage>::New();
+  calculator->SetImage(image);
+  calculator->SetZeroIsCell(options.zeroIsCell);
+  calculator->Compute();
+  const bool isZero = !calculator->GetHasExteriorLabel() && !options.zeroIsCell;
+  return calculator->GetHasExteriorLabel() || isZero ? std::optional<Label>(calculator->GetExteriorLabel())
+                                                     : std::nullopt;
+}
+
+/** Makes one label of all that is background: the exterior's, and 0 unless it is a cell. Returns it. */
+template <typename TImage>
+typename TImage::PixelType
+UniteBackground(TImage * image, const TissueTessellationOptions & options)
+{
+  using PixelType = typename TImage::PixelType;
+  PixelType * const          begin = image->GetBufferPointer();
+  PixelType * const          end = begin + image->GetBufferedRegion().GetNumberOfPixels();
+  const std::optional<Label> label = FindExteriorLabel(image, options);
+  const auto                 isLabel = [&](PixelType pixel) { return static_cast<Label>(pixel) == *label; };
+  if (!label || std::none_of(begin, end, isLabel))
+  {
+    throw std::runtime_error("there is no background to close gaps in: " +
+                             (label
+                                ? "no voxel has the exterior label " + std::to_string(*label)
+                                : std::string("no label of the image is the exterior's; --exteriorLabel tells it")));
+  }
+  const auto background = static_cast<PixelType>(*label);
+  if (!options.zeroIsCell)
+  {
+    std::replace(begin, end, PixelType{ 0 }, background);
+  }
+  return background;
+}
+
 template <typename TImage>
 typename TImage::Pointer
 CloseGaps(TImage * image, const TissueTessellationOptions & options, ProgressBar & progress, TissueInput & input)
 {
+  const auto background = UniteBackground(image, options);
   const auto closing = itk::LabelGapClosingImageFilter<TImage>::New();
   closing->SetInput(image);
   closing->SetGapWidth(*options.closeGaps);
-  closing->SetBackgroundLabel(static_cast<typename TImage::PixelType>(options.exteriorLabel.value_or(0)));
+  closing->SetBackgroundLabel(background);
   progress.Begin("Closing gaps");
   progress.Observe(closing);
   closing->Update();
@@ -156,12 +232,18 @@ CloseGaps(TImage * image, const TissueTessellationOptions & options, ProgressBar
 
 template <typename TPixel>
 void
-Process(const TissueTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, ProgressBar & progress,
+        TissueInput & input)
 {
   using ImageType = itk::Image<TPixel, Dimension>;
   Stopwatch stopwatch;
   progress.Begin("Reading");
+  StandardErrorCapture        messages;
   typename ImageType::Pointer image = ReadImage<ImageType>(options);
+  for (const std::string & warning : JudgeMessages(messages.Release(), io))
+  {
+    input.warnings.push_back(warning);
+  }
   input.readSeconds = stopwatch.Lap();
   for (unsigned int axis = 0; axis < Dimension; ++axis)
   {
@@ -192,46 +274,61 @@ Process(const TissueTessellationOptions & options, ProgressBar & progress, Tissu
 }
 } // namespace
 
+std::string
+NameLabels(const std::vector<Label> & labels)
+{
+  constexpr std::size_t most = 10;
+  std::ostringstream    text;
+  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i)
+  {
+    text << (i > 0 ? ", " : "") << labels[i];
+  }
+  text << (labels.size() > most ? ", ..." : "");
+  return text.str();
+}
+
 TissueInput
 ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress)
 {
-  const itk::ImageIOBase::Pointer io = ReadHeader(options.labels);
   TissueInput                     input;
+  StandardErrorCapture            messages;
+  const itk::ImageIOBase::Pointer io = OpenImage(options.labels);
+  input.warnings = JudgeMessages(messages.Release(), io);
+  RequireLabelImage(io);
+  RequireAllVoxels(options.labels, io);
   input.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
   switch (io->GetComponentType())
   {
     case itk::IOComponentEnum::UCHAR:
-      Process<unsigned char>(options, progress, input);
+      Process<unsigned char>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::CHAR:
-      Process<signed char>(options, progress, input);
+      Process<signed char>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::USHORT:
-      Process<unsigned short>(options, progress, input);
+      Process<unsigned short>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::SHORT:
-      Process<short>(options, progress, input);
+      Process<short>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::UINT:
-      Process<unsigned int>(options, progress, input);
+      Process<unsigned int>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::INT:
-      Process<int>(options, progress, input);
+      Process<int>(io, options, progress, input);
       break;
     case itk::IOComponentEnum::ULONG:
     case itk::IOComponentEnum::ULONGLONG:
-      Process<unsigned long long>(options, progress, input);
+      Process<unsigned long long>(io, options, progress, input);
       break;
     default:
-      Process<long long>(options, progress, input);
+      Process<long long>(io, options, progress, input);
   }
-  if (input.spacing == std::array<double, 3>{ 1.0, 1.0, 1.0 } && !options.spacing)
+  if (!options.spacing)
   {
-    input.warnings.push_back(
-      "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
-      "volumes depend on; --spacing X Y Z gives it");
+    CheckSpacing(io, input);
   }
-  CheckThatCellsTouch(input.junctions->GetJunctionSet(), input.warnings);
+  CheckThatCellsTouch(input.junctions->GetJunctionSet(), options, input);
   return input;
 }
 } // namespace tissue

@@ -11,8 +11,6 @@
 #include "TissueTessellationOptions.h"
 #include "itkTissueJunctions.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace tissue
 {
 /** A label image as the program takes it: its junctions, and what is to be said of it. */
@@ -35,9 +33,14 @@ struct TissueInput
   double extractSeconds = 0.0;
 };
 
+/** The first labels of a list, for a message; the report has them all. */
+std::string
+NameLabels(const std::vector<Label> & labels);
+
 /** Reads the image and extracts its junctions.
- * \throws std::runtime_error or itk::ExceptionObject: no such file, not readable, not three-dimensional, more than one
- * component, not of an integer type, fewer than four cells, an absent exterior label, cells that do not touch. */
+ * \throws std::runtime_error or itk::ExceptionObject: no such file, not readable, cut off, not three-dimensional, more
+ * than one component, not of an integer type, fewer than four cells, an absent exterior label, cells that do not touch.
+ */
 TissueInput
 ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress);
 } // namespace tissue

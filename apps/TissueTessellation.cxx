@@ -8,6 +8,7 @@
 #include "OutputFiles.h"
 #include "ProgressBar.h"
 #include "ReconstructionReport.h"
+#include "RunProgram.h"
 #include "TissueInput.h"
 #include "TissueTessellationOptions.h"
 #include "TissueTessellationVTKBridge.h"
@@ -19,20 +20,34 @@
 #include <itkTimeProbe.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <set>
+#include <stdexcept>
 
 namespace
 {
 using namespace tissue;
 
-/** Everything that would make the outputs impossible, before the work. */
+/** Throws for everything that would make the outputs impossible, before the work. */
 void
 CheckOutputs(const TissueTessellationOptions & options)
 {
-  for (const std::string & path : options.Outputs())
+  namespace fs = std::filesystem;
+  std::set<fs::path> paths;
+  for (const auto & [path, content] : options.Outputs())
   {
     OutputFiles::RequireWritable(path);
+    std::error_code isOther;
+    if (fs::equivalent(path, options.labels, isOther))
+    {
+      throw std::runtime_error("Cannot write the " + content + " to '" + path + "': it is the input");
+    }
+    if (!paths.insert(fs::weakly_canonical(fs::absolute(path))).second)
+    {
+      throw std::runtime_error("Cannot write the " + content + " to '" + path + "': another output has the same name");
+    }
   }
   const std::string obstacle = options.picture.empty() ? std::string() : FindPictureObstacle();
   if (!obstacle.empty())
@@ -71,6 +86,37 @@ WriteOutputs(const ReconstructionReport & report)
   files.Commit();
 }
 
+/** What is made of the labels, with the time of the check. */
+struct Result
+{
+  TissueInput                input;
+  itk::CellWallMesh::Pointer mesh;
+  CellSurfaceCheck           check;
+  double                     checkSeconds = 0.0;
+};
+
+Result
+Reconstruct(const TissueTessellationOptions & options, ProgressBar & progress)
+{
+  Result result;
+  result.input = ReadTissue(options, progress);
+  const auto filter = itk::JunctionsToCellWallMeshFilter::New();
+  filter->SetInput(result.input.junctions);
+  filter->SetParameters(options.parameters);
+  progress.Begin("Optimizing the complex");
+  progress.Observe(filter);
+  filter->Update();
+  result.mesh = filter->GetOutput();
+
+  itk::TimeProbe probe;
+  probe.Start();
+  const auto numberOfVertices = static_cast<VertexId>(result.input.junctions->GetJunctionSet().cells.size());
+  result.check = CheckCellSurfaces(result.mesh->GetWallMesh(), numberOfVertices);
+  probe.Stop();
+  result.checkSeconds = probe.GetTotal();
+  return result;
+}
+
 void
 Run(const TissueTessellationOptions & options)
 {
@@ -80,28 +126,24 @@ Run(const TissueTessellationOptions & options)
     itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
   }
-  ProgressBar       progress(options.isQuiet);
-  const TissueInput input = ReadTissue(options, progress);
+  ProgressBar progress(options.isQuiet);
+  Result      result;
+  try
+  {
+    result = Reconstruct(options, progress);
+  }
+  catch (const std::exception & error)
+  {
+    throw std::runtime_error(options.labels + ": " + ToMessage(error));
+  }
 
-  const auto filter = itk::JunctionsToCellWallMeshFilter::New();
-  filter->SetInput(input.junctions);
-  filter->SetParameters(options.parameters);
-  progress.Begin("Optimizing the complex");
-  progress.Observe(filter);
-  filter->Update();
-
-  itk::TimeProbe probe;
-  probe.Start();
-  const TissueReconstruction & reconstruction = filter->GetOutput()->GetReconstruction();
-  const auto                   numberOfVertices = static_cast<VertexId>(input.junctions->GetJunctionSet().cells.size());
-  const CellSurfaceCheck       check = CheckCellSurfaces(reconstruction.walls, numberOfVertices);
-  probe.Stop();
-
-  const ReconstructionReport report{ options, input, reconstruction, check, probe.GetTotal() };
+  const ReconstructionReport report{
+    options, result.input, result.mesh->GetReconstruction(), result.check, result.checkSeconds
+  };
   progress.Begin("Writing");
   WriteOutputs(report);
   progress.End();
-  for (const std::string & warning : input.warnings)
+  for (const std::string & warning : CollectWarnings(report))
   {
     std::cerr << "TissueTessellation: warning: " << warning << '\n';
   }
@@ -115,25 +157,10 @@ Run(const TissueTessellationOptions & options)
 int
 main(int argc, char ** argv)
 {
-  int        exitCode = EXIT_SUCCESS;
-  const auto options = ParseCommandLine(argc, argv, exitCode);
-  if (!options)
-  {
-    return exitCode;
-  }
-  try
-  {
-    Run(*options);
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    std::cerr << "TissueTessellation: " << error.GetDescription() << '\n';
-    return EXIT_FAILURE;
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << "TissueTessellation: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
-  return exitCode;
+  return tissue::RunProgram("TissueTessellation", [&] {
+    if (const auto options = ParseCommandLine(argc, argv))
+    {
+      Run(*options);
+    }
+  });
 }

@@ -9,8 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <iostream>
+#include <algorithm>
+#include <filesystem>
 #include <map>
+#include <sstream>
 
 namespace tissue
 {
@@ -37,12 +39,37 @@ NameOf(const std::map<std::string, TValue> & names, TValue value)
   return "unknown";
 }
 
-/** An option of the parameters that overrides the preset, whatever their order on the command line. */
+/** A range that, unlike CLI11's, is printed short and refuses what is no number. */
+CLI::Validator
+InRange(double least, double most)
+{
+  std::ostringstream range;
+  range << least << " .. " << most;
+  const auto check = [least, most, text = range.str()](const std::string & argument) {
+    double     value = 0.0;
+    const bool isIn = CLI::detail::lexical_cast(argument, value) && value >= least && value <= most;
+    return isIn ? std::string() : argument + " is out of range, must be in " + text;
+  };
+  return CLI::Validator(check, range.str());
+}
+
+CLI::Validator
+EndsIn(const std::string & extension)
+{
+  const auto check = [extension](const std::string & path) {
+    const bool ends = std::filesystem::path(path).extension() == extension;
+    return ends ? std::string() : "the name of the file, '" + path + "', must end in " + extension;
+  };
+  return CLI::Validator(check, "*" + extension);
+}
+
+/** An option of the parameters that overrides the preset, whatever their order on the command line. It has the name of
+ * its parameter, which names it in errors. */
 template <typename TValue>
-CLI::Option *
+void
 AddParameter(CLI::App & app, const std::string & name, TValue & value, const std::string & description)
 {
-  return app.add_option(name, value, description)->group("Method");
+  app.add_option(name, value, description)->capture_default_str()->group("Method");
 }
 
 template <typename TValue>
@@ -50,7 +77,12 @@ void
 AddNamedParameter(CLI::App & app, const std::string & name, TValue & value, const std::map<std::string, TValue> & names,
                   const std::string & description)
 {
-  AddParameter(app, name, value, description)->transform(CLI::CheckedTransformer(names, CLI::ignore_case));
+  app
+    .add_option_function<std::string>(
+      name, [&value, &names](const std::string & chosen) { value = names.at(chosen); }, description)
+    ->check(CLI::IsMember(names))
+    ->default_str(NameOf(names, value))
+    ->group("Method");
 }
 
 void
@@ -59,15 +91,18 @@ AddFileOptions(CLI::App & app, TissueTessellationOptions & options)
   app.add_option("labels", options.labels, "Segmented 3-D image in any of ITK's formats")
     ->required()
     ->type_name("FILE");
-  app.add_option("walls", options.walls, "The mesh of the cell walls to write (.vtp)")->required()->type_name("FILE");
-  const auto add = [&app](const char * name, std::string & path, const char * description) {
-    app.add_option(name, path, description)->type_name("FILE")->group("Further outputs");
+  app.add_option("walls", options.walls, "The mesh of the cell walls to write")
+    ->required()
+    ->type_name("FILE")
+    ->check(EndsIn(".vtp"));
+  const auto add = [&app](const char * name, std::string & path, const char * extension, const char * description) {
+    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extension))->group("Further outputs");
   };
-  add("--complex", options.complex, "The adjacency complex (.vtu)");
-  add("--cells", options.cells, "The cells as polyhedra, with their statistics (.vtu)");
-  add("--statistics", options.statistics, "The cells' statistics, one row a cell (.csv)");
-  add("--report", options.report, "Report of the run (.json)");
-  add("--picture", options.picture, "Picture of the tissue (.png); needs an X display, such as xvfb-run gives");
+  add("--complex", options.complex, ".vtu", "The adjacency complex");
+  add("--cells", options.cells, ".vtu", "The cells as polyhedra, with their statistics");
+  add("--statistics", options.statistics, ".csv", "The cells' statistics, one row a cell");
+  add("--report", options.report, ".json", "Report of the run");
+  add("--picture", options.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");
 }
 
 void
@@ -78,14 +113,16 @@ AddImageOptions(CLI::App & app, TissueTessellationOptions & options)
     ->group(group);
   app.add_flag("--zeroIsCell", options.zeroIsCell, "Take label 0 for a cell")->group(group);
   app.add_option("--spacing", options.spacing, "Voxel size x y z in place of the file's")
-    ->check(CLI::Range(1e-12, 1e12))
+    ->type_name("FLOAT FLOAT FLOAT")
+    ->check(InRange(1e-12, 1e12))
     ->group(group);
+  // A flag with a value, so that the width can be left out: 0 stands for the automatic one.
   app
-    .add_option("--closeGaps",
-                options.closeGaps,
-                "Grow the labels over walls of background up to this width (in the image's units; 0: chosen from the "
-                "image)")
-    ->check(CLI::Range(0.0, 1e12))
+    .add_flag(
+      "--closeGaps{0}",
+      "Grow the labels over walls of background between them; --closeGaps=WIDTH: over walls up to this width, in "
+      "the image's units, instead of one chosen from the image")
+    ->check(InRange(0.0, 1e12))
     ->group(group);
 }
 
@@ -99,20 +136,24 @@ AddMethodOptions(CLI::App & app, ReconstructionParameters & p)
                p.maximumEdgeLengthFactor,
                "Automatic l_max over the median distance of neighbours");
   AddParameter(app, "--guidedCleanUp", p.guidedCleanUp, "Whether the image guides the clean-up (true or false)");
-  AddNamedParameter(app, "--legality", p.annealing.legality, LegalityNames, "combinatorial or geometric");
-  AddNamedParameter(app, "--rings", p.annealing.ringRule, RingNames, "Triangulation of rings: reference or delaunay");
+  AddNamedParameter(app, "--legality", p.annealing.legality, LegalityNames, "What makes a change of the complex legal");
+  AddNamedParameter(app, "--rings", p.annealing.ringRule, RingNames, "Triangulation of the rings of removed edges");
   AddParameter(app, "--maximumDegree", p.annealing.maximumDegree, "Largest degree of an edge that is removed");
-  AddParameter(app, "--cycles", p.annealing.numberOfCycles, "Temperature cycles");
+  AddParameter(app, "--numberOfCycles", p.annealing.numberOfCycles, "Temperature cycles");
   AddParameter(
     app, "--initialTemperature", p.annealing.initialTemperature, "Of the first cycle, in energies of one quadruple");
   AddParameter(app, "--coolingFactor", p.annealing.coolingFactor, "Of the temperature, from cycle to cycle");
   AddParameter(app, "--adjacencyWeight", p.energy.adjacencyWeight, "Weight of the image term");
   AddParameter(app, "--neighborWeight", p.energy.neighborWeight, "Weight of the prior on the numbers of neighbours");
   AddParameter(app, "--lengthWeight", p.energy.lengthWeight, "Weight of the longest edges");
-  AddNamedParameter(app, "--corners", p.corners, CornerNames, "Positions of the cells' corners: image or circumcenter");
+  AddNamedParameter(app, "--corners", p.corners, CornerNames, "Where the cells' corners come from");
   AddParameter(app, "--refinement", p.refinement, "Times that each triangle is split in four, 0 .. 3");
-  AddParameter(app, "--smoothing", p.smoothingIterations, "Iterations of the walls' smoothing");
-  AddParameter(app, "--seed", p.annealing.seed, "Seed of the annealing");
+  AddParameter(app, "--smoothingIterations", p.smoothingIterations, "Iterations of the walls' smoothing");
+  // Above 2^53 a number of a JSON report may be read as another.
+  app.add_option("--seed", p.annealing.seed, "Seed of the annealing")
+    ->capture_default_str()
+    ->check(InRange(0.0, 9007199254740992.0))
+    ->group("Method");
 }
 
 /** The preset must be known before the options that override it are read. */
@@ -131,22 +172,19 @@ ApplyPreset(int argc, char ** argv, TissueTessellationOptions & options)
 }
 } // namespace
 
-std::vector<std::string>
+std::vector<TissueTessellationOptions::Output>
 TissueTessellationOptions::Outputs() const
 {
-  std::vector<std::string> outputs;
-  for (const std::string * path : { &walls, &complex, &cells, &statistics, &report, &picture })
-  {
-    if (!path->empty())
-    {
-      outputs.push_back(*path);
-    }
-  }
+  std::vector<Output> outputs{ { walls, "cell walls" }, { complex, "adjacency complex" },
+                               { cells, "cells" },      { statistics, "statistics of the cells" },
+                               { report, "report" },    { picture, "picture" } };
+  const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
+  outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
   return outputs;
 }
 
 std::optional<TissueTessellationOptions>
-ParseCommandLine(int argc, char ** argv, int & exitCode)
+ParseCommandLine(int argc, char ** argv)
 {
   TissueTessellationOptions options;
   CLI::App                  app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
@@ -163,21 +201,28 @@ ParseCommandLine(int argc, char ** argv, int & exitCode)
       ->group("Method");
     AddMethodOptions(app, options.parameters);
     app.add_option("--threads", options.threads, "Threads; 0: all cores. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
+      ->check(InRange(0, 1024));
     app.add_flag("--quiet", options.isQuiet, "Say nothing but warnings and errors");
     app.parse(argc, argv);
-    options.parameters.Check();
+    const CLI::Option * const closeGaps = app.get_option("--closeGaps");
+    options.closeGaps = *closeGaps ? std::optional<double>(closeGaps->as<double>()) : std::nullopt;
   }
   catch (const CLI::Success & success)
   {
-    exitCode = app.exit(success);
+    app.exit(success);
     return std::nullopt;
   }
-  catch (const std::exception & error)
+  catch (const CLI::Error & error)
   {
-    std::cerr << "TissueTessellation: " << error.what() << "\nRun with --help for the options.\n";
-    exitCode = EXIT_FAILURE;
-    return std::nullopt;
+    throw std::runtime_error(std::string(error.what()) + " (--help lists the options)");
+  }
+  try
+  {
+    options.parameters.Check();
+  }
+  catch (const std::invalid_argument & error)
+  {
+    throw std::runtime_error(std::string("--") + error.what());
   }
   return options;
 }
@@ -198,7 +243,7 @@ ToJson(const TissueTessellationOptions & options)
   json["legality"] = NameOf(LegalityNames, p.annealing.legality);
   json["rings"] = NameOf(RingNames, p.annealing.ringRule);
   json["maximumDegree"] = p.annealing.maximumDegree;
-  json["cycles"] = p.annealing.numberOfCycles;
+  json["numberOfCycles"] = p.annealing.numberOfCycles;
   json["initialTemperature"] = p.annealing.initialTemperature;
   json["coolingFactor"] = p.annealing.coolingFactor;
   json["adjacencyWeight"] = p.energy.adjacencyWeight;
@@ -206,7 +251,7 @@ ToJson(const TissueTessellationOptions & options)
   json["lengthWeight"] = p.energy.lengthWeight;
   json["corners"] = NameOf(CornerNames, p.corners);
   json["refinement"] = p.refinement;
-  json["smoothing"] = p.smoothingIterations;
+  json["smoothingIterations"] = p.smoothingIterations;
   json["seed"] = p.annealing.seed;
   return json;
 }

@@ -41,15 +41,22 @@ struct TissueTessellationOptions
   unsigned int threads = 0;
   bool         isQuiet = false;
 
+  struct Output
+  {
+    std::string path;
+    /** In words. */
+    std::string content;
+  };
+
   /** All files that are to be written. */
-  std::vector<std::string>
+  std::vector<Output>
   Outputs() const;
 };
 
-/** The options of the command line, or nothing where the program shall end with `exitCode`: after --help, or after an
- * error, which has then been said on standard error. */
+/** The options of the command line, or nothing after --help and --version, which have then been answered.
+ * \throws std::exception that names the option and what is wrong with it. */
 std::optional<TissueTessellationOptions>
-ParseCommandLine(int argc, char ** argv, int & exitCode);
+ParseCommandLine(int argc, char ** argv);
 
 /** The options for the report. */
 nlohmann::ordered_json

@@ -1,0 +1,121 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationAppTest_h
+#define TissueTessellationAppTest_h
+
+#include "SyntheticTestTissue.h"
+#include "TemporaryFolder.h"
+
+#include <itkGiplImageIO.h>
+#include <itkImageFileWriter.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+#include <itkTIFFImageIO.h>
+#include <itkVTKImageIO.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <set>
+
+#include <sys/wait.h>
+
+/** Runs the main program on images made in code, in a folder of its own. */
+class TissueTessellationAppTest : public TemporaryFolderTest
+{
+protected:
+  /** Returns the exit code; `before` is put before the program in the shell's command. */
+  int
+  Run(const std::string & arguments, const std::string & before = "")
+  {
+    const std::string command = "cd " + m_Folder.string() + " && " + before + " " + TISSUE_TESSELLATION_PROGRAM + " " +
+                                arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    m_Output = ReadBytes(this->PathOf("out.txt"));
+    m_Errors = ReadBytes(this->PathOf("err.txt"));
+    std::filesystem::remove(this->PathOf("out.txt"));
+    std::filesystem::remove(this->PathOf("err.txt"));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  static itk::ImageIOBase::Pointer
+  MakeImageIO(const std::string & name)
+  {
+    const auto endsIn = [&name](const std::string & end) {
+      return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    };
+    if (endsIn(".nrrd"))
+    {
+      return itk::NrrdImageIO::New().GetPointer();
+    }
+    if (endsIn(".nii") || endsIn(".nii.gz"))
+    {
+      return itk::NiftiImageIO::New().GetPointer();
+    }
+    if (endsIn(".tif"))
+    {
+      return itk::TIFFImageIO::New().GetPointer();
+    }
+    if (endsIn(".vtk"))
+    {
+      return itk::VTKImageIO::New().GetPointer();
+    }
+    if (endsIn(".gipl"))
+    {
+      return itk::GiplImageIO::New().GetPointer();
+    }
+    return itk::MetaImageIO::New().GetPointer();
+  }
+
+  template <typename TImage>
+  void
+  WriteImage(const TImage * image, const std::string & name, bool isCompressed = false)
+  {
+    const auto writer = itk::ImageFileWriter<TImage>::New();
+    const auto io = MakeImageIO(name);
+    // Binary where there is a choice: VTK's default is text.
+    io->SetFileTypeToBinary();
+    writer->SetImageIO(io);
+    writer->SetInput(image);
+    writer->SetFileName(this->PathOf(name));
+    writer->SetUseCompression(isCompressed);
+    writer->Update();
+  }
+
+  template <typename TPixel>
+  void
+  WriteTissue(const std::string & name, bool isCompressed = false)
+  {
+    this->WriteImage(MakeSyntheticTestTissue<TPixel>().GetPointer(), name, isCompressed);
+  }
+
+  nlohmann::json
+  ReadReport() const
+  {
+    return nlohmann::json::parse(ReadBytes(this->PathOf("report.json")));
+  }
+
+  /** Labels with a remark of this reason. */
+  static std::set<long>
+  LabelsOf(const nlohmann::json & report, const std::string & reason)
+  {
+    std::set<long> labels;
+    for (const nlohmann::json & remark : report["remarks"])
+    {
+      if (remark["reason"] == reason)
+      {
+        labels.insert(remark["label"].get<long>());
+      }
+    }
+    return labels;
+  }
+
+  std::string m_Output;
+  std::string m_Errors;
+};
+
+#endif
