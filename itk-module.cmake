@@ -5,7 +5,6 @@ optimized by local topological operations and dualized.")
 
 # Applications, benchmarks and tests need VTK as well; the filters do not.
 itk_module(TissueTessellation
-  ENABLE_SHARED
   DEPENDS
     ITKCommon
     ITKMesh
