@@ -7,13 +7,10 @@ optimized by local topological operations and dualized.")
 itk_module(TissueTessellation
   DEPENDS
     ITKCommon
-    ITKMesh
-    ITKImageGrid
-    ITKImageSources
     ITKDistanceMap
     ITKImageIntensity
+    ITKImageSources
     ITKLabelMap
-    ITKSmoothing
     ITKThresholding
   TEST_DEPENDS
     ITKTestKernel
