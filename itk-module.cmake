@@ -5,16 +5,12 @@ optimized by local topological operations and dualized.")
 
 # Applications, benchmarks and tests need VTK as well; the filters do not.
 itk_module(TissueTessellation
-  ENABLE_SHARED
   DEPENDS
     ITKCommon
-    ITKMesh
-    ITKImageGrid
-    ITKImageSources
     ITKDistanceMap
     ITKImageIntensity
+    ITKImageSources
     ITKLabelMap
-    ITKSmoothing
     ITKThresholding
   TEST_DEPENDS
     ITKTestKernel

@@ -30,8 +30,13 @@ namespace itk
  * the first cell to the second, the exterior always second), the tissue::TissueReconstruction it belongs to and the
  * tissue::JunctionSet it was made from. Positions are in the physical space (LPS) and units of the image.
  *
- * The bulk accessors are for Python, where `itk.array_from_vector_container()` makes NumPy arrays of what they return:
- * arrays of n tuples, flat, one tuple after the other.
+ * GetPointCoordinates(), GetTriangles() and GetTriangleLabels() copy the mesh to flat arrays, one tuple after the
+ * other. In Python they become NumPy arrays:
+ *
+ *     mesh = itk.label_image_to_cell_wall_mesh_filter(image)
+ *     points = itk.array_from_vector_container(mesh.GetPointCoordinates()).reshape(-1, 3)
+ *     triangles = itk.array_from_vector_container(mesh.GetTriangles()).reshape(-1, 3)
+ *     labels = itk.array_from_vector_container(mesh.GetTriangleLabels()).reshape(-1, 2)
  *
  * \sa LabelImageToCellWallMeshFilter JunctionsToCellWallMeshFilter
  * \ingroup TissueTessellation
@@ -51,7 +56,9 @@ public:
 
   using CoordinatesContainer = VectorContainer<IdentifierType, double>;
   using IndicesContainer = VectorContainer<IdentifierType, IdentifierType>;
-  using LabelsContainer = VectorContainer<IdentifierType, OffsetValueType>;
+  /** The type of the indices, because ITK's Python has arrays of unsigned integers only; a negative label is there as
+   * its two's complement (NumPy: `labels.astype(np.int64)`). */
+  using LabelsContainer = IndicesContainer;
 
   SizeValueType
   GetNumberOfPoints() const;
@@ -82,7 +89,8 @@ public:
   double
   GetAdjacency4() const;
 
-  /** What was made, and what it was made from. \throws ExceptionObject where there is none yet. */
+#ifndef ITK_WRAPPING_PARSER
+  /** What was made, and what it was made from, for C++. \throws ExceptionObject where there is none yet. */
   const tissue::TissueReconstruction &
   GetReconstruction() const;
 
@@ -95,6 +103,7 @@ public:
   void
   SetReconstruction(std::shared_ptr<const tissue::JunctionSet>          junctions,
                     std::shared_ptr<const tissue::TissueReconstruction> reconstruction);
+#endif
 
   /** Empties the mesh. */
   void

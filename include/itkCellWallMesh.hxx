@@ -93,7 +93,7 @@ CellWallMesh::GetTriangleLabels() const
   {
     for (const tissue::VertexId cell : this->GetWallMesh().walls[wall].cells)
     {
-      container->push_back(static_cast<OffsetValueType>(this->GetJunctionSet().cells[cell].label));
+      container->push_back(static_cast<IdentifierType>(this->GetJunctionSet().cells[cell].label));
     }
   }
   return container;

@@ -72,7 +72,8 @@ public:
   void
   SetSmoothingIterations(int iterations);
 
-  /** All parameters. */
+#ifndef ITK_WRAPPING_PARSER
+  /** All parameters, for C++. */
   void
   SetParameters(const tissue::ReconstructionParameters & parameters);
 
@@ -81,6 +82,7 @@ public:
   {
     return *m_Parameters;
   }
+#endif
 
   CellWallMesh *
   GetOutput();

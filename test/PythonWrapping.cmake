@@ -1,0 +1,41 @@
+# ITK's own Python wrapping of this module, which needs an ITK build tree: an inner build in that mode, from the base that
+# wrapping/debian/make-base makes, then the test of wrapping/test on what it built.
+find_file(TissueTessellation_PYTHON_BASE NAMES itk-python-base.tar.xz itk-5.2.1-python-base.tar.xz
+  PATHS "${PROJECT_SOURCE_DIR}/.itk-python" "${PROJECT_SOURCE_DIR}/../shared/wrapping" NO_DEFAULT_PATH
+  DOC "Packed ITK build tree with Python wrapping, made by wrapping/debian/make-base; without it its test is skipped")
+
+set(missing "")
+if(NOT EXISTS "${TissueTessellation_PYTHON_BASE}")
+  list(APPEND missing "the base of wrapping/debian/make-base")
+elseif(NOT ITK_VERSION VERSION_EQUAL 5.2.1)
+  list(APPEND missing "ITK 5.2.1 of Debian")
+endif()
+foreach(tool castxml swig)
+  string(TOUPPER ${tool} name)
+  find_program(${name}_EXECUTABLE ${tool})
+  mark_as_advanced(${name}_EXECUTABLE)
+  if(NOT ${name}_EXECUTABLE)
+    list(APPEND missing ${tool})
+  endif()
+endforeach()
+if(missing)
+  list(JOIN missing ", " missing)
+  add_test(NAME PythonWrapping COMMAND ${CMAKE_COMMAND} -E echo "Skipped: needs ${missing}")
+  set_tests_properties(PythonWrapping PROPERTIES SKIP_REGULAR_EXPRESSION "Skipped: needs")
+  return()
+endif()
+
+# The build writes into the base: it has its own copy.
+set(folder "${CMAKE_CURRENT_BINARY_DIR}/PythonWrapping")
+file(MAKE_DIRECTORY "${folder}")
+add_test(NAME PythonWrappingBase COMMAND ${CMAKE_COMMAND} -E tar xf "${TissueTessellation_PYTHON_BASE}"
+  WORKING_DIRECTORY "${folder}")
+set_tests_properties(PythonWrappingBase PROPERTIES FIXTURES_SETUP PythonWrappingBase)
+set(base "${folder}/itk-python-base")
+add_test(NAME PythonWrapping COMMAND ${CMAKE_CTEST_COMMAND}
+  --build-and-test "${PROJECT_SOURCE_DIR}" "${folder}/build" --build-generator Ninja --build-noclean
+  --build-options "-DITK_DIR=${base}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}" -DBUILD_TESTING=OFF
+  --test-command ${CMAKE_COMMAND} -E env "PYTHONPATH=${base}/Wrapping/Generators/Python" /usr/bin/python3
+    "${PROJECT_SOURCE_DIR}/wrapping/test/LabelImageToCellWallMeshFilterTest.py")
+set_tests_properties(PythonWrapping PROPERTIES FIXTURES_REQUIRED PythonWrappingBase PROCESSORS 2)
