@@ -88,6 +88,7 @@ MeshToJson(const ReconstructionReport & report)
   const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
+           { "parts", report.reconstruction.numberOfParts },
            { "walls", mesh.walls.size() },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
            { "pointsWithMoreThanFourCells", check.crowdedPoints.size() },
@@ -261,8 +262,12 @@ Print(const ReconstructionReport & report, std::ostream & stream)
   PrintStages(report.reconstruction, stream);
   stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
          << " triangles, " << std::setprecision(1)
-         << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n"
-         << "Cells that are closed spheres: "
+         << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n";
+  if (report.reconstruction.numberOfParts > 1)
+  {
+    stream << "Parts of the tissue that share no junction: " << report.reconstruction.numberOfParts << '\n';
+  }
+  stream << "Cells that are closed spheres: "
          << numberOfCells - report.check.cellsThatAreNoSphere.size() - report.check.cellsWithoutTriangles.size()
          << " of " << numberOfCells << "; points with more than four cells: " << report.check.crowdedPoints.size()
          << '\n';

@@ -74,6 +74,8 @@ WriteOutputs(const ReconstructionReport & report)
       [&](const std::string & path) { WriteXML(MakeComplexGrid(report.reconstruction.tetrahedra, cells), path); });
   add(options.cells, [&](const std::string & path) { WriteXML(MakeCellGrid(walls, cells, report.check), path); });
   add(options.statistics, [&](const std::string & path) { WriteCSV(MakeCellTable(walls, cells, report.check), path); });
+  add(options.junctions,
+      [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.junctions->GetJunctionSet()), path); });
   add(options.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
   add(options.report, [&](const std::string & path) {
     std::ofstream file(path);

@@ -101,6 +101,7 @@ AddFileOptions(CLI::App & app, TissueTessellationOptions & options)
   add("--complex", options.complex, ".vtu", "The adjacency complex");
   add("--cells", options.cells, ".vtu", "The cells as polyhedra, with their statistics");
   add("--statistics", options.statistics, ".csv", "The cells' statistics, one row a cell");
+  add("--junctions", options.junctions, ".csv", "The places in the image where four cells meet, one row each");
   add("--report", options.report, ".json", "Report of the run");
   add("--picture", options.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");
 }
@@ -175,9 +176,10 @@ ApplyPreset(int argc, char ** argv, TissueTessellationOptions & options)
 std::vector<TissueTessellationOptions::Output>
 TissueTessellationOptions::Outputs() const
 {
-  std::vector<Output> outputs{ { walls, "cell walls" }, { complex, "adjacency complex" },
-                               { cells, "cells" },      { statistics, "statistics of the cells" },
-                               { report, "report" },    { picture, "picture" } };
+  std::vector<Output> outputs{ { walls, "cell walls" },    { complex, "adjacency complex" },
+                               { cells, "cells" },         { statistics, "statistics of the cells" },
+                               { junctions, "junctions" }, { report, "report" },
+                               { picture, "picture" } };
   const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
   return outputs;

@@ -26,6 +26,7 @@ struct TissueTessellationOptions
   std::string complex;
   std::string cells;
   std::string statistics;
+  std::string junctions;
   std::string report;
   std::string picture;
 

@@ -10,6 +10,7 @@
 // The results of the module as VTK data: walls, cells with their statistics, and the adjacency complex.
 #include "TissueTessellationVTKCells.h"
 #include "TissueTessellationVTKComplex.h"
+#include "TissueTessellationVTKJunctions.h"
 #include "TissueTessellationVTKWalls.h"
 
 #endif
