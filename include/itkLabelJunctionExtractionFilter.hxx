@@ -125,6 +125,7 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   this->CheckCells(scans, junctions);
   this->TransformToPhysicalSpace(junctions);
   this->GetOutput()->SetJunctionSet(std::move(junctions));
+  this->UpdateProgress(1.0f);
 }
 
 template <typename TLabelImage>
@@ -140,7 +141,8 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int3
     // An exception must not leave a thread: the others would go on with what is unwound here.
     try
     {
-      TotalProgressReporter progress(this, numberOfPlanes);
+      // One step is left to the end: ITK's progress, a fixed-point number, wraps to 0 where rounding takes it beyond 1.
+      TotalProgressReporter progress(this, numberOfPlanes + 1);
       const IndexValueType  first = planes.GetIndex(0);
       auto scan = std::make_shared<tissue::BlockScan>(size, static_cast<std::int32_t>(first), exterior);
       this->ScanPlane(first - 1, *scan);
