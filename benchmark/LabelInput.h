@@ -1,0 +1,32 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef LabelInput_h
+#define LabelInput_h
+
+#include "PeerMeshers.h"
+#include "itkTissueJunctions.h"
+
+#include <string>
+
+namespace tissue
+{
+using LabelImage = itk::Image<std::int32_t, 3>;
+
+/** \throws itk::ExceptionObject where there is no such file, or it is no image that ITK reads. */
+LabelImage::Pointer
+ReadLabels(const std::string & path);
+
+/** With the filter's default parameters. \throws itk::ExceptionObject as the filter does. */
+itk::TissueJunctions::Pointer
+ExtractJunctions(const LabelImage * labels);
+
+/** Labels that are none of the cells become the exterior. */
+CellImage::Pointer
+MakeCellImage(const LabelImage * labels, const std::vector<Cell> & cells);
+} // namespace tissue
+
+#endif
