@@ -1,0 +1,149 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "WallMeshEvaluation.h"
+
+#include "FourCubes.h"
+#include "LabelledTriangles.h"
+#include "TissueTessellationCore/CellSurfaceCheck.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+// All figures are derived by hand; FourCubes.h says what the four cubes have.
+
+namespace
+{
+tissue::JunctionSet
+MakeJunctions(std::size_t numberOfVertices, double volume, const std::vector<tissue::VertexPair> & pairs,
+              const std::vector<tissue::VertexQuadruple> & quadruples)
+{
+  tissue::JunctionSet junctions;
+  junctions.cells.resize(numberOfVertices);
+  for (tissue::Cell & cell : junctions.cells)
+  {
+    cell.volume = volume;
+  }
+  for (const tissue::VertexPair & pair : pairs)
+  {
+    junctions.walls.emplace_back();
+    junctions.walls.back().cells = pair;
+  }
+  for (const tissue::VertexQuadruple & quadruple : quadruples)
+  {
+    junctions.junctions.emplace_back();
+    junctions.junctions.back().cells = quadruple;
+  }
+  return junctions;
+}
+
+const std::vector<tissue::VertexPair> pairsOfTwoCubes = { { { 0, 1 } }, { { 0, 2 } }, { { 1, 2 } } };
+} // namespace
+
+TEST(WallMeshEvaluation, PointOfFiveCellsStandsForEachFourOfThem)
+{
+  // The image has a ninth pair, 1 and 4, and two of the five quadruples at the ends of the edge.
+  const auto junctions = MakeJunctions(5,
+                                       0.8,
+                                       { { { 0, 1 } },
+                                         { { 0, 2 } },
+                                         { { 0, 3 } },
+                                         { { 0, 4 } },
+                                         { { 1, 2 } },
+                                         { { 1, 3 } },
+                                         { { 1, 4 } },
+                                         { { 2, 4 } },
+                                         { { 3, 4 } } },
+                                       { { { 0, 1, 2, 3 } }, { { 1, 2, 3, 4 } } });
+  const auto evaluation = tissue::EvaluateWallMesh(FourCubes().mesh, junctions);
+  EXPECT_EQ(evaluation.numberOfTriangles, 40u);
+  EXPECT_EQ(evaluation.numberOfCells, 4u);
+  EXPECT_EQ(evaluation.numberOfMissingCells, 0u);
+  EXPECT_EQ(evaluation.numberOfSpheres, 4u);
+  EXPECT_EQ(evaluation.numberOfCorners, 2u);
+  EXPECT_EQ(evaluation.numberOfCrowdedCorners, 2u);
+  EXPECT_DOUBLE_EQ(evaluation.meanVolumeError, 0.25);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 8.0 / 9.0);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency4, 2.0 / 5.0);
+}
+
+TEST(WallMeshEvaluation, GapIsNoNeighbour)
+{
+  tissue::WallMesh mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  for (auto & wall : mesh.walls)
+  {
+    if (wall.cells == tissue::VertexPair{ { 1, 2 } })
+    {
+      wall.cells[1] = 3;
+    }
+  }
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfCells, 2u);
+  // The second cube lacks the side that it had with the first one.
+  EXPECT_EQ(evaluation.numberOfClosedCells, 1u);
+  EXPECT_EQ(evaluation.numberOfMissingCells, 0u);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency4, 0.0);
+}
+
+TEST(WallMeshEvaluation, CellWithoutTriangleIsMissing)
+{
+  const auto mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(4, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfCells, 3u);
+  EXPECT_EQ(evaluation.numberOfMissingCells, 1u);
+  EXPECT_EQ(evaluation.numberOfSpheres, 2u);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 1.0);
+}
+
+TEST(LabelledTriangles, BecomeWallsWhateverTheirOrderAndSides)
+{
+  const FourCubes           cubes;
+  tissue::LabelledTriangles triangles;
+  triangles.points = cubes.mesh.points;
+  // A point that no triangle has.
+  triangles.points.insert(triangles.points.begin(), { { 9.0, 9.0, 9.0 } });
+  for (std::size_t t = cubes.mesh.triangles.size(); t-- > 0;)
+  {
+    const auto & p = cubes.mesh.triangles[t];
+    const auto & cells = cubes.mesh.walls[cubes.mesh.wallOfTriangle[t]].cells;
+    if (t % 2 == 0)
+    {
+      triangles.triangles.push_back({ { { p[0] + 1, p[1] + 1, p[2] + 1 } }, cells });
+    }
+    else
+    {
+      triangles.triangles.push_back({ { { p[0] + 1, p[2] + 1, p[1] + 1 } }, { { cells[1], cells[0] } } });
+    }
+  }
+  const tissue::WallMesh mesh = tissue::MakeWallMesh(triangles);
+  EXPECT_EQ(mesh.points, cubes.mesh.points);
+  EXPECT_EQ(mesh.triangles.size(), 40u);
+  ASSERT_EQ(mesh.walls.size(), 8u);
+  EXPECT_TRUE(std::is_sorted(mesh.wallOfTriangle.begin(), mesh.wallOfTriangle.end()));
+  for (const auto & wall : mesh.walls)
+  {
+    EXPECT_TRUE(wall.cells[1] == tissue::ExteriorVertex || (wall.cells[0] > 0 && wall.cells[0] < wall.cells[1]));
+  }
+  const auto check = tissue::CheckCellSurfaces(mesh, 5);
+  for (int v = 1; v < 5; ++v)
+  {
+    EXPECT_TRUE(check.cells[v].IsSphere());
+    EXPECT_DOUBLE_EQ(check.cells[v].volume, 1.0);
+  }
+}
+
+TEST(LabelledTriangles, RefusesATriangleWithinACellAndAPointOutOfRange)
+{
+  tissue::LabelledTriangles triangles;
+  triangles.points.resize(3);
+  triangles.triangles = { { { { 0, 1, 2 } }, { { 4, 4 } } } };
+  EXPECT_THROW(tissue::MakeWallMesh(triangles), std::invalid_argument);
+  triangles.triangles = { { { { 0, 1, 3 } }, { { 1, 0 } } } };
+  EXPECT_THROW(tissue::MakeWallMesh(triangles), std::invalid_argument);
+}
