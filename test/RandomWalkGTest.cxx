@@ -32,6 +32,21 @@ NumberOfInvertedCells(const AdjacencyComplex & complex, const std::vector<Point>
   });
 }
 
+/** Carries out a move, undoes it and carries it out again, with all checks. */
+void
+MoveBackAndForth(AdjacencyComplex & complex, const Replacement & move)
+{
+  const auto        before = complex.GetTetrahedra();
+  const Replacement inverse = complex.Apply(move);
+  const auto        violations = FindViolations(complex);
+  EXPECT_TRUE(violations.empty()) << violations[0];
+  EXPECT_EQ(EulerCharacteristic(complex), 0);
+  EXPECT_TRUE(complex.GetTetrahedra() != before);
+  const Replacement again = complex.Apply(inverse);
+  EXPECT_TRUE(complex.GetTetrahedra() == before) << "the inverse does not restore";
+  complex.Apply(again);
+}
+
 constexpr int NumberOfMoves = 10000;
 
 class RandomWalk : public testing::TestWithParam<Legality>
@@ -40,37 +55,29 @@ class RandomWalk : public testing::TestWithParam<Legality>
 
 TEST_P(RandomWalk, StaysValidAndEveryInverseRestores)
 {
-  // Few vertices soon have all edges between them, and then hardly a move is left.
-  const auto            centers = RandomCenters(25, 1);
-  AdjacencyComplex      complex = DelaunayComplex(centers);
-  const auto            start = complex.GetTetrahedra();
-  const LocalOperations operations(complex, centers, GetParam());
-  Random                random(1);
-  int                   numbersOf[2] = { 0, 0 }; // swaps and removals
-  int                   tried = 0;
-  for (int done = 0; done < NumberOfMoves;)
+  // Walks of a few hundred moves: in a longer one all vertices become adjacent, and hardly a move is left.
+  constexpr int movesOfAWalk = 200;
+  Random        random(1);
+  int           numbersOf[2] = { 0, 0 }; // swaps and removals
+  for (int walk = 0; walk < NumberOfMoves / movesOfAWalk; ++walk)
   {
-    ASSERT_LT(++tried, 100 * NumberOfMoves) << "stuck after " << done << " moves";
-    const Proposal move = RandomMove(complex, operations, random);
-    if (!move)
+    const auto            centers = RandomCenters(12, static_cast<std::uint64_t>(walk));
+    AdjacencyComplex      complex = DelaunayComplex(centers);
+    const LocalOperations operations(complex, centers, GetParam());
+    int                   tried = 0;
+    for (int done = 0; done < movesOfAWalk;)
     {
-      EXPECT_NE(move.verdict, Verdict::Legal);
-      continue;
+      ASSERT_LT(++tried, 1000 * movesOfAWalk) << "walk " << walk << " is stuck after " << done << " moves";
+      const Proposal move = RandomMove(complex, operations, random);
+      if (move)
+      {
+        MoveBackAndForth(complex, move.replacement);
+        ASSERT_FALSE(HasFailure()) << "walk " << walk << ", move " << done;
+        ++numbersOf[move.replacement.removedEdges.empty() ? 0 : 1];
+        ++done;
+      }
     }
-    const auto        before = complex.GetTetrahedra();
-    const Replacement inverse = complex.Apply(move.replacement);
-    const auto        violations = FindViolations(complex);
-    ASSERT_TRUE(violations.empty()) << "move " << done << ": " << violations[0];
-    ASSERT_EQ(EulerCharacteristic(complex), 0) << "move " << done;
-    ASSERT_NE(complex.GetTetrahedra(), before) << "move " << done;
-
-    const Replacement again = complex.Apply(inverse);
-    ASSERT_EQ(complex.GetTetrahedra(), before) << "back from move " << done;
-    complex.Apply(again);
-    ++numbersOf[move.replacement.removedEdges.empty() ? 0 : 1];
-    ++done;
   }
-  EXPECT_NE(complex.GetTetrahedra(), start);
   EXPECT_GT(numbersOf[0], NumberOfMoves / 10);
   EXPECT_GT(numbersOf[1], NumberOfMoves / 10);
 }

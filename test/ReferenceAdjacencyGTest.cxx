@@ -59,7 +59,10 @@ TEST(ReferenceAdjacency, OverlapByHand)
   junctions.junctions.erase(junctions.junctions.begin(), junctions.junctions.begin() + 2);
   Junction more;
   more.cells = { { 0, 3, 4, 5 } };
-  junctions.junctions.push_back(more);
+  const auto at = std::find_if(junctions.junctions.begin(),
+                               junctions.junctions.end(),
+                               [&more](const Junction & junction) { return more.cells < junction.cells; });
+  junctions.junctions.insert(at, more);
   std::sort(junctions.junctions.begin(), junctions.junctions.end(), [](const Junction & a, const Junction & b) {
     return a.cells < b.cells;
   });

@@ -172,6 +172,9 @@ TEST(TopologyOptimizer, SameSeedSameResultOtherSeedAnother)
     Problem             problem(100, 800, 4);
     AnnealingParameters parameters = CombinatorialAnnealing(seed);
     parameters.numberOfCycles = 1;
+    // A single cycle alone, from a start that is too far away to be recovered.
+    parameters.relocation.wrongShare = std::numeric_limits<double>::infinity();
+    parameters.focus.numberOfRounds = 0;
     Optimize(problem, parameters);
     return problem.complex.GetTetrahedra();
   };
