@@ -7,6 +7,8 @@
 #ifndef itkExteriorLabelImageCalculator_hxx
 #define itkExteriorLabelImageCalculator_hxx
 
+#include "itkExteriorLabelImageCalculator.h"
+
 #include <algorithm>
 
 namespace itk

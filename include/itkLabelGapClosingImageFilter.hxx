@@ -7,6 +7,8 @@
 #ifndef itkLabelGapClosingImageFilter_hxx
 #define itkLabelGapClosingImageFilter_hxx
 
+#include "itkLabelGapClosingImageFilter.h"
+
 #include "itkBinaryFillholeImageFilter.h"
 #include "itkBinaryStatisticsOpeningImageFilter.h"
 #include "itkBinaryThresholdImageFilter.h"

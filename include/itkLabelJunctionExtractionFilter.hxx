@@ -7,6 +7,8 @@
 #ifndef itkLabelJunctionExtractionFilter_hxx
 #define itkLabelJunctionExtractionFilter_hxx
 
+#include "itkLabelJunctionExtractionFilter.h"
+
 #include "itkContinuousIndex.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkMultiThreaderBase.h"
