@@ -42,6 +42,14 @@ Pack(VertexId a, VertexId b, VertexId c)
          static_cast<std::uint64_t>(c);
 }
 
+/** Multiplicative hash of a quadruple; its upper bits are the good ones. */
+std::uint64_t
+Hash(std::uint64_t packedOthers, VertexId largest)
+{
+  constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
+  return (packedOthers ^ (static_cast<std::uint64_t>(largest) * golden)) * golden;
+}
+
 /** Sorts four numbers by the shortest network. */
 void
 SortFour(VertexQuadruple & v)
@@ -83,6 +91,21 @@ ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
   {
     m_Others[next[last(junction)]++] = Pack(junction.cells[0], junction.cells[1], junction.cells[2]);
   }
+
+  // 16 to 32 bits a quadruple.
+  int filterBits = 6;
+  while ((std::size_t{ 1 } << filterBits) < 16 * m_Others.size())
+  {
+    ++filterBits;
+  }
+  m_FilterShift = 64 - filterBits;
+  m_Filter.assign((std::size_t{ 1 } << filterBits) / 64, 0);
+  for (const Junction & junction : junctions.junctions)
+  {
+    const VertexQuadruple & c = junction.cells;
+    const std::uint64_t     bit = Hash(Pack(c[0], c[1], c[2]), c[3]) >> m_FilterShift;
+    m_Filter[bit / 64] |= std::uint64_t{ 1 } << (bit % 64);
+  }
 }
 
 bool
@@ -99,9 +122,15 @@ ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
 {
   VertexQuadruple key = vertices;
   SortFour(key);
+  const std::uint64_t others = Pack(key[0], key[1], key[2]);
+  const std::uint64_t bit = Hash(others, key[3]) >> m_FilterShift;
+  if ((m_Filter[bit / 64] >> (bit % 64) & 1) == 0)
+  {
+    return false;
+  }
   const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3]]);
   const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3] + 1]);
-  return std::binary_search(begin, end, Pack(key[0], key[1], key[2]));
+  return std::binary_search(begin, end, others);
 }
 
 std::vector<VertexQuadruple>

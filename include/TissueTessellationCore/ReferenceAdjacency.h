@@ -52,6 +52,9 @@ private:
   std::vector<VertexId>      m_Smaller;
   std::vector<std::size_t>   m_QuadrupleRows;
   std::vector<std::uint64_t> m_Others;
+  /** A bit for the hash of each quadruple: most of those that are asked for are not there, and stop here. */
+  std::vector<std::uint64_t> m_Filter;
+  int                        m_FilterShift = 0;
 };
 
 /** Jaccard indices of the complex and an image (paper, section 4.1). */
