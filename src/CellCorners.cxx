@@ -132,8 +132,29 @@ AverageNeighbors(const AdjacencyComplex & complex, const std::vector<std::size_t
   }
 }
 
-/** A block of more than four cells is the place of several corners: moves each of them a little towards the centres of
- * its own cells, so that no edge between them has length 0. */
+/** Puts every corner at the image's junction of its four cells, and averages those that the image has not. */
+void
+MoveToJunctions(const AdjacencyComplex & complex, const std::vector<VertexQuadruple> & tetrahedra,
+                const JunctionSet & junctions, std::vector<Point> & corners)
+{
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    if (const Junction * const junction = FindJunction(junctions, tetrahedra[i]))
+    {
+      corners[i] = junction->position;
+    }
+    else
+    {
+      missing.push_back(i);
+    }
+  }
+  AverageNeighbors(complex, missing, corners);
+}
+
+/** A block of more than four cells is the place of several corners, and so is the middle of an edge that several
+ * circumcentres are projected to: moves each of them a little towards the centres of its own cells, so that no edge
+ * between them has length 0. */
 void
 SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const std::vector<Cell> & cells,
                    std::vector<Point> & corners)
@@ -223,23 +244,10 @@ ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, 
   {
     corners.push_back(CornerOfCenters(t, junctions.cells));
   }
-  if (rule == CornerRule::ProjectedCircumcenter)
+  if (rule == CornerRule::ImageJunction)
   {
-    return corners;
+    MoveToJunctions(complex, tetrahedra, junctions, corners);
   }
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
-  {
-    if (const Junction * const junction = FindJunction(junctions, tetrahedra[i]))
-    {
-      corners[i] = junction->position;
-    }
-    else
-    {
-      missing.push_back(i);
-    }
-  }
-  AverageNeighbors(complex, missing, corners);
   SeparateCoincident(tetrahedra, junctions.cells, corners);
   return corners;
 }

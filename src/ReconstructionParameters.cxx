@@ -42,6 +42,7 @@ ReconstructionParameters
 ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
+  parameters.separateParts = false;
   parameters.maximumEdgeLengthFactor = 1.4;
   parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();

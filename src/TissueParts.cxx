@@ -117,4 +117,16 @@ FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & center
   }
   return result;
 }
+
+TissueParts
+JoinTissueParts(const JunctionSet & junctions)
+{
+  TissueParts result;
+  result.parts.emplace_back();
+  for (std::size_t v = ExteriorVertex + 1; v < junctions.cells.size(); ++v)
+  {
+    result.parts.front().push_back(static_cast<VertexId>(v));
+  }
+  return result;
+}
 } // namespace tissue

@@ -125,7 +125,7 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
     return stage;
   };
 
-  const TissueParts parts = FindTissueParts(junctions, centers);
+  const TissueParts parts = parameters.separateParts ? FindTissueParts(junctions, centers) : JoinTissueParts(junctions);
   result.numberOfParts = parts.parts.size();
   AdjacencyComplex complex(static_cast<VertexId>(centers.size()), TetrahedralizeParts(parts, centers));
   result.delaunay = finishStage(complex);

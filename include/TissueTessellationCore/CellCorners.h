@@ -36,6 +36,7 @@ enum class CornerRule
 
 /** \brief The position of the cell corner dual to each tetrahedron, in the order of AdjacencyComplex::GetTetrahedra().
  *
+ * Corners that fall on the same place are moved apart, by a twentieth of the way to the mean of their cells' centres.
  * `junctions` gives the centres of the cells and, for CornerRule::ImageJunction, the junctions. */
 std::vector<Point>
 ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, CornerRule rule);

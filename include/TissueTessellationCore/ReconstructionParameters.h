@@ -16,6 +16,10 @@ namespace tissue
  * for label images, PaperPreset() the paper's method to the letter. */
 struct ReconstructionParameters
 {
+  /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
+   */
+  bool separateParts = true;
+
   /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
    */
   double maximumEdgeLength = 0.0;
@@ -34,8 +38,8 @@ struct ReconstructionParameters
 
   ReconstructionParameters();
 
-  /** Sections 3 and 4 of the paper: clean-up by length alone, geometric legality, projected Delaunay rings, the energy
-   * of three terms at the paper's weights, corners from the cell centres. */
+  /** Sections 3 and 4 of the paper: one complex, clean-up by length alone, geometric legality, projected Delaunay
+   * rings, the energy of three terms at the paper's weights, corners from the cell centres. */
   static ReconstructionParameters
   PaperPreset();
 

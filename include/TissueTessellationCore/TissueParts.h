@@ -30,6 +30,10 @@ struct TissueParts
  * part large enough is one part. */
 TissueParts
 FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & centers);
+
+/** All cells as one part. */
+TissueParts
+JoinTissueParts(const JunctionSet & junctions);
 } // namespace tissue
 
 #endif
