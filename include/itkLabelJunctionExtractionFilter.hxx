@@ -13,13 +13,13 @@
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
+#include "itkWorkUnitErrors.h"
 #include "TissueTessellationCore/BlockScan.h"
 #include "TissueTessellationCore/GatherJunctions.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <type_traits>
@@ -137,12 +137,10 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int3
 {
   ScanMap             scans;
   std::mutex          mutex;
-  std::exception_ptr  error;
+  WorkUnitErrors      errors;
   const SizeValueType numberOfPlanes = static_cast<SizeValueType>(size[2]) + 1;
   const auto          scanPlanes = [&](const ImageRegion<1> & planes) {
-    // An exception must not leave a thread: the others would go on with what is unwound here.
-    try
-    {
+    errors.Run([&]() {
       // One step is left to the end: ITK's progress, a fixed-point number, wraps to 0 where rounding takes it beyond 1.
       TotalProgressReporter progress(this, numberOfPlanes + 1);
       const IndexValueType  first = planes.GetIndex(0);
@@ -155,20 +153,12 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int3
       }
       const std::lock_guard<std::mutex> lock(mutex);
       scans[first] = std::move(scan);
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      error = std::current_exception();
-    }
+    });
   };
   this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   this->GetMultiThreader()->template ParallelizeImageRegion<1>(
     ImageRegion<1>({ { 1 } }, { { numberOfPlanes } }), scanPlanes, nullptr);
-  if (error)
-  {
-    std::rethrow_exception(error);
-  }
+  errors.Rethrow();
   return scans;
 }
 

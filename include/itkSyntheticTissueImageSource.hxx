@@ -18,6 +18,7 @@
 #include "itkMergeLabelFragmentsImageFilter.h"
 #include "itkTessellationBricks.h"
 #include "itkTotalProgressReporter.h"
+#include "itkWorkUnitErrors.h"
 
 #include <algorithm>
 #include <atomic>
@@ -171,10 +172,9 @@ SyntheticTissueImageSource<TOutputImage>::MarkTissue()
   const RegionType           region = output->GetRequestedRegion();
   const PixelType            cellLabel = this->GetLabelOfCell(0);
   std::atomic<SizeValueType> numberOfTissueVoxels{ 0 };
-  this->GetMultiThreader()->template ParallelizeImageRegionRestrictDirection<3>(
-    0,
-    region,
-    [&](const RegionType & chunk) {
+  WorkUnitErrors             errors;
+  const auto                 mark = [&](const RegionType & chunk) {
+    errors.Run([&]() {
       TotalProgressReporter progress(this, region.GetNumberOfPixels(), 100, SyntheticTissue::GrowthStart);
       SizeValueType         count = 0;
       ImageScanlineIterator<OutputImageType> it(output, chunk);
@@ -190,8 +190,10 @@ SyntheticTissueImageSource<TOutputImage>::MarkTissue()
         progress.Completed(chunk.GetSize(0));
       }
       numberOfTissueVoxels += count;
-    },
-    nullptr);
+    });
+  };
+  this->GetMultiThreader()->template ParallelizeImageRegionRestrictDirection<3>(0, region, mark, nullptr);
+  errors.Rethrow();
   return numberOfTissueVoxels;
 }
 
@@ -236,9 +238,9 @@ SyntheticTissueImageSource<TOutputImage>::AssignCells(const tissue::AnisotropicT
   OutputImageType * output = this->GetOutput();
   const RegionType  region = output->GetRequestedRegion();
   const SizeType    brickSize = TessellationBricks::SizeOfLength(output, 0.5 * cellDiameter);
-  this->GetMultiThreader()->template ParallelizeImageRegion<3>(
-    region,
-    [&](const RegionType & chunk) {
+  WorkUnitErrors    errors;
+  const auto        assign = [&](const RegionType & chunk) {
+    errors.Run([&]() {
       TotalProgressReporter progress(
         this, region.GetNumberOfPixels(), 100, SyntheticTissue::SmoothingStart - SyntheticTissue::AssignmentStart);
       std::vector<tissue::AnisotropicTessellation::SeedId> candidates;
@@ -264,8 +266,10 @@ SyntheticTissueImageSource<TOutputImage>::AssignCells(const tissue::AnisotropicT
         }
         progress.Completed(brick.GetNumberOfPixels());
       });
-    },
-    nullptr);
+    });
+  };
+  this->GetMultiThreader()->template ParallelizeImageRegion<3>(region, assign, nullptr);
+  errors.Rethrow();
 }
 
 template <typename TOutputImage>
@@ -283,6 +287,10 @@ SyntheticTissueImageSource<TOutputImage>::RunOnOutput(ImageToImageFilter<TOutput
     filter->SetAbortGenerateData(this->GetAbortGenerateData());
   });
   filter->Update();
+  if (this->GetAbortGenerateData())
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
   this->GetOutput()->SetPixelContainer(filter->GetOutput()->GetPixelContainer());
 }
 
