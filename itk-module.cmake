@@ -1,6 +1,6 @@
 set(DOCUMENTATION
   "Topologically accurate triangular meshes of all cell walls of a living tissue,
-from a segmented 3-D image or a nuclei stain: an adjacency complex of the cells is
+from a segmented 3-D image: an adjacency complex of the cells is
 optimized by local topological operations and dualized.")
 
 # Applications, benchmarks and tests need VTK as well; the filters do not.

@@ -148,6 +148,8 @@ ToJson(const ReconstructionReport & report)
                                { "triangleSwaps", cycle.numberOfSwaps },
                                { "energy", cycle.energy } });
   }
+  json["relocatedVertices"] = r.numberOfRelocatedVertices;
+  json["energy"] = r.energy;
   json["mesh"] = MeshToJson(report);
   json["warnings"] = CollectWarnings(report);
   json["remarks"] = Json::array();
@@ -169,8 +171,8 @@ CollectWarnings(const ReconstructionReport & report)
   const auto                addCells = [&](const std::vector<VertexId> & vertices, const std::string & what) {
     if (!vertices.empty())
     {
-      warnings.push_back(std::to_string(vertices.size()) + " cells " + what + " (labels " +
-                         NameLabels(LabelsOf(vertices, cells)) + ")");
+      warnings.push_back(std::to_string(vertices.size()) + (vertices.size() == 1 ? " cell " : " cells ") + what +
+                         " (labels " + NameLabels(LabelsOf(vertices, cells)) + ")");
     }
   };
   addCells(check.cellsWithoutTriangles, "of the image are missing from the mesh");
@@ -215,6 +217,8 @@ DescribeReason(const std::string & reason)
     { "cutByBorder", "on the border of the image, where they may be cut" },
     { "enclosed", "enclosed in one other cell" },
     { "separated", "without a neighbour in the image" },
+    { "strayPart", "in small parts that touch no other, joined to the nearest part by false walls" },
+    { "volumeOff", "with less than half or more than twice their volume in the image" },
     { "centerMoved", "moved, their centre being another cell's too" },
     { "exteriorLost", "at the exterior in the image, but not in the mesh" },
     { "exteriorGained", "at the exterior in the mesh, but not in the image" },

@@ -54,23 +54,33 @@ public:
   /** Seed of the annealing; default 1. */
   void
   SetSeed(SeedType seed);
+  SeedType
+  GetSeed() const;
 
   /** l_max: surface triangles with a longer edge are removed in the clean-up; in the image's units. Default 0: from the
    * distances of neighbouring cells. */
   void
   SetMaximumEdgeLength(double length);
+  double
+  GetMaximumEdgeLength() const;
 
   /** Temperature cycles of the annealing, 0 .. 1000; default 5. */
   void
   SetNumberOfCycles(int cycles);
+  int
+  GetNumberOfCycles() const;
 
   /** Times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. */
   void
   SetRefinement(int levels);
+  int
+  GetRefinement() const;
 
-  /** Iterations of the walls' smoothing, 0 or more; default 10. */
+  /** Iterations of the walls' smoothing, 0 .. 10000; default 10. */
   void
   SetSmoothingIterations(int iterations);
+  int
+  GetSmoothingIterations() const;
 
 #ifndef ITK_WRAPPING_PARSER
   /** All parameters, for C++. */

@@ -78,6 +78,36 @@ CellWallMeshSource::SetSmoothingIterations(int iterations)
   this->Change([iterations](tissue::ReconstructionParameters & p) { p.smoothingIterations = iterations; });
 }
 
+inline CellWallMeshSource::SeedType
+CellWallMeshSource::GetSeed() const
+{
+  return m_Parameters->annealing.seed;
+}
+
+inline double
+CellWallMeshSource::GetMaximumEdgeLength() const
+{
+  return m_Parameters->maximumEdgeLength;
+}
+
+inline int
+CellWallMeshSource::GetNumberOfCycles() const
+{
+  return m_Parameters->annealing.numberOfCycles;
+}
+
+inline int
+CellWallMeshSource::GetRefinement() const
+{
+  return m_Parameters->refinement;
+}
+
+inline int
+CellWallMeshSource::GetSmoothingIterations() const
+{
+  return m_Parameters->smoothingIterations;
+}
+
 inline CellWallMesh *
 CellWallMeshSource::GetOutput()
 {

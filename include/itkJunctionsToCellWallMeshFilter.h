@@ -18,8 +18,9 @@ class TissueJunctions;
  *
  * The adjacency complex of the cells starts as the Delaunay tetrahedralization of their centres with a vertex for the
  * exterior, loses its oversized surface triangles, and is optimized by edge removals and triangle swaps; its dual is
- * the mesh (G. Cerutti et al., Reconstruction of plant tissue through adjacency optimization: paper, sections 3
- * and 4.2). It is a closed surface for every cell, and at most four cells meet at any point.
+ * the mesh (G. Cerutti et al., 3-D tessellation of plant tissue, 3DV 2015,
+ * doi:10.1109/3DV.2015.57, sections 3 and 4.2). It is a closed surface for every cell, and at most four cells meet at
+ * any point.
  *
  * Progress is that of the whole; the filter can be aborted. Throws ExceptionObject for fewer than four cells, for cells
  * whose centres are coplanar, and for parameters out of range.

@@ -77,6 +77,8 @@ ToString(Remark remark)
       return "wallsLost";
     case Remark::WallsGained:
       return "wallsGained";
+    case Remark::VolumeOff:
+      return "volumeOff";
   }
   return "unknown";
 }
@@ -112,10 +114,13 @@ Describe(const CellRemark & remark)
       text << "touches the exterior in the mesh, but not in the image";
       break;
     case Remark::WallsLost:
-      text << "lost " << remark.value << " walls that the image has";
+      text << "lost " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has";
       break;
     case Remark::WallsGained:
-      text << "has " << remark.value << " walls that the image has not";
+      text << "has " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has not";
+      break;
+    case Remark::VolumeOff:
+      text << "has " << remark.value << " times its volume in the image";
       break;
   }
   return text.str();

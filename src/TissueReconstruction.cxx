@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/TissueReconstruction.h"
 
+#include "TissueTessellationCore/CellSurfaceCheck.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/DualMesh.h"
 #include "TissueTessellationCore/TissueParts.h"
@@ -93,6 +94,22 @@ TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & center
   return tetrahedra;
 }
 
+/** Names the cells whose volume is far from that in the image. */
+void
+RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, std::vector<CellRemark> & remarks)
+{
+  constexpr double       most = 2.0;
+  const CellSurfaceCheck check = CheckCellSurfaces(walls, static_cast<VertexId>(junctions.cells.size()));
+  for (std::size_t v = ExteriorVertex + 1; v < junctions.cells.size(); ++v)
+  {
+    const double ratio = check.cells[v].volume / junctions.cells[v].volume;
+    if (!(ratio >= 1.0 / most && ratio <= most))
+    {
+      remarks.push_back({ static_cast<VertexId>(v), Remark::VolumeOff, ratio });
+    }
+  }
+}
+
 WallMesh
 MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const ReconstructionParameters & parameters)
 {
@@ -147,6 +164,8 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
   result.cycles =
     optimizer.Run([&](double fraction) { return !progress || progress(DelaunayShare + OptimizationShare * fraction); });
+  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
+  result.energy = optimizer.Energy();
   result.optimized = finishStage(complex);
 
   result.tetrahedra = complex.GetTetrahedra();
@@ -155,6 +174,7 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });
   }
+  RemarkVolumes(result.walls, junctions, remarks);
   result.remarks = CollectRemarks(complex, junctions);
   result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
   std::stable_sort(result.remarks.begin(), result.remarks.end(), [](const CellRemark & a, const CellRemark & b) {

@@ -85,7 +85,7 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
   if (isFocused)
   {
     AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.7));
-    RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.7, 1.0));
+    m_NumberOfRelocatedVertices = RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.7, 1.0));
   }
   Report(progress, 1.0);
   return cycles;

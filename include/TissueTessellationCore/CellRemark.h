@@ -41,7 +41,10 @@ enum class Remark
   /** Value: the number of the cell's walls in the image that are not in the mesh. */
   WallsLost,
   /** Value: the number of the cell's walls in the mesh that are not in the image. */
-  WallsGained
+  WallsGained,
+  /** The cell's volume in the mesh is below half or above twice that in the image: few corners and straight walls do
+   * not describe it. Value: the volume in the mesh over that in the image; negative for a cell turned inside out. */
+  VolumeOff
 };
 
 struct CellRemark

@@ -42,7 +42,11 @@ struct TissueReconstruction
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
   std::vector<AnnealingCycle> cycles;
-  std::vector<CellRemark>     remarks;
+  /** Vertices that found a better place after the cycles (VertexRelocation.h). */
+  std::size_t numberOfRelocatedVertices = 0;
+  /** Of the optimized complex. */
+  double                  energy = 0.0;
+  std::vector<CellRemark> remarks;
 };
 
 /** \brief From the junctions of a label image to the mesh of its cell walls (paper, sections 3 and 4.2):

@@ -72,6 +72,20 @@ public:
   std::vector<AnnealingCycle>
   Run(const ProgressFunction & progress = ProgressFunction());
 
+  /** Of the last Run(). */
+  std::size_t
+  NumberOfRelocatedVertices() const
+  {
+    return m_NumberOfRelocatedVertices;
+  }
+
+  /** The energy of the complex. */
+  double
+  Energy() const
+  {
+    return m_State.energy.Total();
+  }
+
 private:
   struct Candidate;
 
@@ -94,6 +108,7 @@ private:
   AnnealingState      m_State;
   EnergyParameters    m_EnergyParameters;
   AnnealingParameters m_Annealing;
+  std::size_t         m_NumberOfRelocatedVertices = 0;
 };
 } // namespace tissue
 
