@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "ReconstructionReport.h"
 
+#include <itkMultiThreaderBase.h>
 #include <nlohmann/json.hpp>
 
 #include <iomanip>
@@ -101,7 +102,9 @@ Json
 SecondsToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.reconstruction;
-  return { { "read", report.input.readSeconds },
+  // With the threads that the times are for: nothing else in the report depends on them.
+  return { { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
+           { "read", report.input.readSeconds },
            { "closeGaps", report.input.closeGapsSeconds },
            { "extractJunctions", report.input.extractSeconds },
            { "delaunay", r.delaunay.seconds },

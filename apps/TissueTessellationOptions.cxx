@@ -258,7 +258,6 @@ ToJson(const TissueTessellationOptions & options)
   json["refinement"] = p.refinement;
   json["smoothingIterations"] = p.smoothingIterations;
   json["seed"] = p.annealing.seed;
-  json["threads"] = options.threads > 0 ? nlohmann::ordered_json(options.threads) : "all cores";
   json["fixed"] = { { "pairWeight", p.energy.pairWeight },
                     { "unitLength", p.energy.unitLength },
                     { "epidermalNeighbors", p.energy.epidermalNeighbors },
