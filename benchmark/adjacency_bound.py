@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The best adjacency4 that any valid adjacency complex can reach on a label image, beside what the program reaches.
 
 The quadruples of cells that meet in an image are no simplicial complex: a block of five cells holds five quadruples, of
