@@ -1,0 +1,316 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/LineSubdivision.h"
+
+#include "TissueTessellationCore/LineCoarsening.h"
+#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/Vector.h"
+#include "TissueTessellationCore/WallEdgeLengths.h"
+#include "TissueTessellationCore/WallPieces.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tissue
+{
+namespace
+{
+/** A polygon with the lengths from its start to each of its points. */
+struct Polygon
+{
+  std::vector<Point>  points;
+  std::vector<double> lengths;
+
+  void
+  Append(const Point & point)
+  {
+    lengths.push_back(points.empty() ? 0.0 : lengths.back() + Distance(points.back(), point));
+    points.push_back(point);
+  }
+
+  Point
+  At(double length) const
+  {
+    const auto upper = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
+    const auto i = static_cast<std::size_t>(upper - lengths.begin());
+    const auto piece = lengths[i] - lengths[i - 1];
+    const auto fraction = piece > 0.0 ? (length - lengths[i - 1]) / piece : 0.0;
+    return points[i - 1] + fraction * (points[i] - points[i - 1]);
+  }
+};
+
+/** A line to be cut. */
+struct Cut
+{
+  TripleLine line;
+  Polygon    polygon;
+  /** Length along the polygon to each point of the line. */
+  std::vector<double> lengths;
+  std::size_t         segments = 1;
+
+  std::size_t
+  Segments() const
+  {
+    return line.points.size() - 1;
+  }
+  double
+  WantedLength(std::size_t i) const
+  {
+    return polygon.lengths.back() * static_cast<double>(i) / static_cast<double>(this->Segments());
+  }
+  bool
+  IsEven() const
+  {
+    constexpr double tolerance = 1e-6;
+    for (std::size_t i = 1; i < this->Segments(); ++i)
+    {
+      if (std::abs(lengths[i] - this->WantedLength(i)) > tolerance * polygon.lengths.back())
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+/** An edge with its new points, from the smaller end to the larger. */
+struct SplitEdge
+{
+  std::array<PointId, 2> ends;
+  std::vector<PointId>   points;
+
+  bool
+  operator<(const SplitEdge & other) const
+  {
+    return ends < other.ends;
+  }
+};
+
+std::vector<Cut>
+PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  std::vector<Cut> cuts;
+  for (TripleLine & line : CollectTripleLines(mesh))
+  {
+    Cut cut;
+    for (const PointId p : line.points)
+    {
+      cut.polygon.Append(mesh.points[p]);
+    }
+    cut.lengths = cut.polygon.lengths;
+    cut.segments =
+      static_cast<std::size_t>(NumberOfSegments(cut.polygon.lengths.back(), EdgeLengthAt(line, edgeLengths)));
+    cut.line = std::move(line);
+    cuts.push_back(std::move(cut));
+  }
+  return cuts;
+}
+
+/** Takes away the points that are nearest to their neighbours, as many as the line has too many. */
+void
+Coarsen(LineCoarsening & coarsening, Cut & cut)
+{
+  while (cut.Segments() > cut.segments)
+  {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 1; i < cut.Segments(); ++i)
+    {
+      order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
+      return cut.lengths[i + 1] - cut.lengths[i - 1] < cut.lengths[k + 1] - cut.lengths[k - 1];
+    });
+    const auto removed =
+      std::find_if(order.begin(), order.end(), [&](std::size_t i) { return coarsening.RemovePoint(cut.line, i); });
+    if (removed == order.end())
+    {
+      return;
+    }
+    cut.lengths.erase(cut.lengths.begin() + static_cast<std::ptrdiff_t>(*removed));
+  }
+}
+
+/** Into how many pieces each segment of the line goes, so that the longest piece is as short as can be. */
+std::vector<int>
+ShareSegments(const Cut & cut)
+{
+  std::vector<int> pieces(cut.Segments(), 1);
+  for (std::size_t count = cut.Segments(); count < cut.segments; ++count)
+  {
+    std::size_t longest = 0;
+    const auto  pieceOf = [&](std::size_t i) { return (cut.lengths[i + 1] - cut.lengths[i]) / pieces[i]; };
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+    {
+      longest = pieceOf(i) > pieceOf(longest) ? i : longest;
+    }
+    ++pieces[longest];
+  }
+  return pieces;
+}
+
+/** Adds the points a line has too few, and tells of which edges they are. */
+void
+AddPoints(WallMesh & mesh, Cut & cut, std::vector<SplitEdge> & edges)
+{
+  const std::vector<int> pieces = ShareSegments(cut);
+  std::vector<PointId>   points{ cut.line.points[0] };
+  std::vector<double>    lengths{ 0.0 };
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    SplitEdge    edge{ { { cut.line.points[i], cut.line.points[i + 1] } }, {} };
+    const double start = cut.lengths[i];
+    const double piece = (cut.lengths[i + 1] - start) / pieces[i];
+    for (int k = 1; k < pieces[i]; ++k)
+    {
+      edge.points.push_back(static_cast<PointId>(mesh.points.size()));
+      lengths.push_back(start + k * piece);
+      mesh.points.push_back(cut.polygon.At(lengths.back()));
+      mesh.numberOfCells.push_back(CellsOnLine);
+    }
+    points.insert(points.end(), edge.points.begin(), edge.points.end());
+    points.push_back(cut.line.points[i + 1]);
+    lengths.push_back(cut.lengths[i + 1]);
+    if (edge.ends[0] > edge.ends[1])
+    {
+      std::swap(edge.ends[0], edge.ends[1]);
+      std::reverse(edge.points.begin(), edge.points.end());
+    }
+    if (!edge.points.empty())
+    {
+      edges.push_back(std::move(edge));
+    }
+  }
+  cut.line.points = std::move(points);
+  cut.lengths = std::move(lengths);
+}
+
+/** Appends the triangle, or those it falls into: a fan for one of its split edges, whose triangles may fall further. */
+void
+AppendTriangle(const std::vector<SplitEdge> & edges, const std::array<PointId, 3> & t,
+               std::vector<std::array<PointId, 3>> & triangles)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const PointId   a = t[i];
+    const PointId   b = t[(i + 1) % 3];
+    const PointId   c = t[(i + 2) % 3];
+    const SplitEdge key{ { { std::min(a, b), std::max(a, b) } }, {} };
+    const auto      edge = std::lower_bound(edges.begin(), edges.end(), key);
+    if (edge != edges.end() && edge->ends == key.ends)
+    {
+      std::vector<PointId> points = edge->points;
+      if (a > b)
+      {
+        std::reverse(points.begin(), points.end());
+      }
+      points.push_back(b);
+      PointId from = a;
+      for (const PointId to : points)
+      {
+        AppendTriangle(edges, { { from, to, c } }, triangles);
+        from = to;
+      }
+      return;
+    }
+  }
+  triangles.push_back(t);
+}
+
+/** The mesh with its edges split, without the triangles that are gone. */
+void
+SplitTrianglesAt(WallMesh & mesh, std::vector<SplitEdge> & edges)
+{
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<WallId>                 wallOfTriangle;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (!LineCoarsening::IsGone(mesh.triangles[t]))
+    {
+      AppendTriangle(edges, mesh.triangles[t], triangles);
+      wallOfTriangle.resize(triangles.size(), mesh.wallOfTriangle[t]);
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.wallOfTriangle = std::move(wallOfTriangle);
+}
+
+/** Moves the line's points towards equal lengths. */
+void
+Slide(LineCoarsening & coarsening, Cut & cut)
+{
+  constexpr int sweeps = 3;
+  constexpr int steps = 4;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (std::size_t i = 1; i < cut.Segments(); ++i)
+    {
+      double part = cut.WantedLength(i) - cut.lengths[i];
+      for (int step = 0; step < steps; ++step, part *= 0.5)
+      {
+        const double length = cut.lengths[i] + part;
+        const bool   inOrder = cut.lengths[i - 1] < length && length < cut.lengths[i + 1];
+        if (inOrder && coarsening.MovePoint(cut.line.points[i], cut.polygon.At(length)))
+        {
+          cut.lengths[i] = length;
+          break;
+        }
+      }
+    }
+  }
+}
+
+/** Numbers the points anew, without those that are gone. */
+void
+Renumber(WallMesh & mesh)
+{
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  std::vector<WallPiece>         pieces;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    pieces.push_back(CutOutWall(mesh, first[w], first[w + 1]));
+  }
+  mesh = JoinWallPieces(mesh, pieces);
+}
+} // namespace
+
+void
+SubdivideLines(WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  if (edgeLengths.size() != mesh.walls.size())
+  {
+    throw std::invalid_argument("SubdivideLines: not one edge length for each wall");
+  }
+  std::vector<Cut> cuts = PlanCuts(mesh, edgeLengths);
+  if (std::any_of(cuts.begin(), cuts.end(), [](const Cut & cut) { return cut.Segments() > cut.segments; }))
+  {
+    LineCoarsening coarsening(mesh);
+    for (Cut & cut : cuts)
+    {
+      Coarsen(coarsening, cut);
+    }
+  }
+  std::vector<SplitEdge> edges;
+  for (Cut & cut : cuts)
+  {
+    AddPoints(mesh, cut, edges);
+  }
+  SplitTrianglesAt(mesh, edges);
+  if (!std::all_of(cuts.begin(), cuts.end(), [](const Cut & cut) { return cut.IsEven(); }))
+  {
+    LineCoarsening coarsening(mesh);
+    for (Cut & cut : cuts)
+    {
+      if (!cut.IsEven())
+      {
+        Slide(coarsening, cut);
+      }
+    }
+  }
+  Renumber(mesh);
+}
+} // namespace tissue

@@ -1,0 +1,98 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/WallRemeshing.h"
+
+#include "TissueTessellationCore/PatchRemesher.h"
+#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/Vector.h"
+#include "TissueTessellationCore/WallEdgeLengths.h"
+#include "TissueTessellationCore/WallPieces.h"
+
+#include <stdexcept>
+
+namespace tissue
+{
+namespace
+{
+WallPatch
+MakePatch(const WallMesh & mesh, const WallPiece & piece)
+{
+  std::vector<Point> points;
+  points.reserve(piece.outline.size() + piece.interior.size());
+  for (const PointId p : piece.outline)
+  {
+    points.push_back(mesh.points[p]);
+  }
+  points.insert(points.end(), piece.interior.begin(), piece.interior.end());
+  return WallPatch(std::move(points), piece.triangles, static_cast<WallPatch::Vertex>(piece.outline.size()));
+}
+
+double
+AreaOf(const WallPatch & patch)
+{
+  double area = 0.0;
+  for (WallPatch::HalfEdge h = 0; h < patch.EndOfHalfEdges(); h += 3)
+  {
+    const Point & a = patch.PointAt(patch.From(h));
+    area += 0.5 * Norm(Cross(patch.PointAt(patch.To(h)) - a, patch.PointAt(patch.Opposite(h)) - a));
+  }
+  return area;
+}
+
+/** What is in the place of a piece without a triangle is a piece without a triangle. */
+void
+RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLength, WallPiece & piece)
+{
+  const WallPatch patch = MakePatch(mesh, piece);
+  PatchRemesher   remesher(patch, [&](WallPatch::Vertex a, WallPatch::Vertex b) {
+    return wallsAt.CountCommon(piece.outline[a], piece.outline[b]) == 1;
+  });
+  remesher.Remesh(NumberOfInteriorPoints(AreaOf(patch), edgeLength, static_cast<int>(piece.outline.size())));
+  const WallPatch remeshed = remesher.TakePatch();
+  piece.triangles = remeshed.Triangles();
+  piece.interior.clear();
+  for (WallPatch::Vertex v = remeshed.OutlineSize(); v < remeshed.EndOfVertices(); ++v)
+  {
+    piece.interior.push_back(remeshed.PointAt(v));
+  }
+}
+} // namespace
+
+void
+RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+{
+  if (edgeLengths.size() != mesh.walls.size())
+  {
+    throw std::invalid_argument("RemeshWalls: not one edge length for each wall");
+  }
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  const WallsAtPoints            wallsAt(mesh);
+  std::vector<WallPiece>         pieces(mesh.walls.size());
+  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
+    pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
+    RemeshPiece(mesh, wallsAt, edgeLengths[w], pieces[w]);
+  });
+  mesh = JoinWallPieces(mesh, pieces);
+}
+
+void
+ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> & walls)
+{
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  const std::vector<std::size_t> firstOfOther = FirstTrianglesOfWalls(other);
+  std::vector<WallPiece>         pieces;
+  auto                           next = walls.begin();
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    const bool replaced = next != walls.end() && static_cast<std::size_t>(*next) == w;
+    next += replaced ? 1 : 0;
+    pieces.push_back(replaced ? CutOutWall(other, firstOfOther[w], firstOfOther[w + 1])
+                              : CutOutWall(mesh, first[w], first[w + 1]));
+  }
+  mesh = JoinWallPieces(mesh, pieces);
+}
+} // namespace tissue
