@@ -157,7 +157,7 @@ LineCoarsening::Merge(PointId point, PointId into)
 }
 
 bool
-LineCoarsening::RemovePoint(TripleLine & line, std::size_t i)
+LineCoarsening::RemovePoint(WallLine & line, std::size_t i)
 {
   const PointId point = line.points[i];
   PointId       nearer = line.points[i - 1];

@@ -7,12 +7,14 @@
 #include "TissueTessellationCore/LineSubdivision.h"
 
 #include "TissueTessellationCore/LineCoarsening.h"
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
 #include "TissueTessellationCore/WallPieces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace tissue
@@ -46,8 +48,8 @@ struct Polygon
 /** A line to be cut. */
 struct Cut
 {
-  TripleLine line;
-  Polygon    polygon;
+  WallLine line;
+  Polygon  polygon;
   /** Length along the polygon to each point of the line. */
   std::vector<double> lengths;
   std::size_t         segments = 1;
@@ -94,7 +96,7 @@ std::vector<Cut>
 PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
 {
   std::vector<Cut> cuts;
-  for (TripleLine & line : CollectTripleLines(mesh))
+  for (WallLine & line : CollectWallLines(mesh))
   {
     Cut cut;
     for (const PointId p : line.points)
@@ -110,20 +112,19 @@ PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
   return cuts;
 }
 
-/** Takes away the points that are nearest to their neighbours, as many as the line has too many. */
+/** Takes away as many points as the line has too many: first those farthest from where a point is wanted. */
 void
 Coarsen(LineCoarsening & coarsening, Cut & cut)
 {
+  const double piece = cut.polygon.lengths.back() / static_cast<double>(cut.segments);
+  const auto   misfit = [&](std::size_t i) {
+    return std::abs(cut.lengths[i] - piece * std::round(cut.lengths[i] / piece));
+  };
   while (cut.Segments() > cut.segments)
   {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 1; i < cut.Segments(); ++i)
-    {
-      order.push_back(i);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
-      return cut.lengths[i + 1] - cut.lengths[i - 1] < cut.lengths[k + 1] - cut.lengths[k - 1];
-    });
+    std::vector<std::size_t> order(cut.Segments() - 1);
+    std::iota(order.begin(), order.end(), 1);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return misfit(i) > misfit(k); });
     const auto removed =
       std::find_if(order.begin(), order.end(), [&](std::size_t i) { return coarsening.RemovePoint(cut.line, i); });
     if (removed == order.end())
@@ -134,21 +135,22 @@ Coarsen(LineCoarsening & coarsening, Cut & cut)
   }
 }
 
-/** Into how many pieces each segment of the line goes, so that the longest piece is as short as can be. */
-std::vector<int>
+/** Into how many pieces each segment of the line goes: about as many as points are wanted in it. */
+std::vector<std::size_t>
 ShareSegments(const Cut & cut)
 {
-  std::vector<int> pieces(cut.Segments(), 1);
-  for (std::size_t count = cut.Segments(); count < cut.segments; ++count)
+  const double             piece = cut.polygon.lengths.back() / static_cast<double>(cut.segments);
+  const auto               wantedUpTo = [&](std::size_t i) { return std::lround(cut.lengths[i] / piece); };
+  std::vector<std::size_t> pieces(cut.Segments(), 1);
+  std::size_t              count = pieces.size();
+  for (std::size_t i = 0; i < pieces.size() && count < cut.segments; ++i)
   {
-    std::size_t longest = 0;
-    const auto  pieceOf = [&](std::size_t i) { return (cut.lengths[i + 1] - cut.lengths[i]) / pieces[i]; };
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-    {
-      longest = pieceOf(i) > pieceOf(longest) ? i : longest;
-    }
-    ++pieces[longest];
+    const auto wanted = static_cast<std::size_t>(std::max(1L, wantedUpTo(i + 1) - wantedUpTo(i)));
+    pieces[i] = std::min(wanted, cut.segments - count + 1);
+    count += pieces[i] - 1;
   }
+  // Where the segments before were too long for their place, the last one gets what is left.
+  pieces.back() += cut.segments > count ? cut.segments - count : 0;
   return pieces;
 }
 
@@ -156,18 +158,18 @@ ShareSegments(const Cut & cut)
 void
 AddPoints(WallMesh & mesh, Cut & cut, std::vector<SplitEdge> & edges)
 {
-  const std::vector<int> pieces = ShareSegments(cut);
-  std::vector<PointId>   points{ cut.line.points[0] };
-  std::vector<double>    lengths{ 0.0 };
+  const std::vector<std::size_t> pieces = ShareSegments(cut);
+  std::vector<PointId>           points{ cut.line.points[0] };
+  std::vector<double>            lengths{ 0.0 };
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     SplitEdge    edge{ { { cut.line.points[i], cut.line.points[i + 1] } }, {} };
     const double start = cut.lengths[i];
-    const double piece = (cut.lengths[i + 1] - start) / pieces[i];
-    for (int k = 1; k < pieces[i]; ++k)
+    const double piece = (cut.lengths[i + 1] - start) / static_cast<double>(pieces[i]);
+    for (std::size_t k = 1; k < pieces[i]; ++k)
     {
       edge.points.push_back(static_cast<PointId>(mesh.points.size()));
-      lengths.push_back(start + k * piece);
+      lengths.push_back(start + static_cast<double>(k) * piece);
       mesh.points.push_back(cut.polygon.At(lengths.back()));
       mesh.numberOfCells.push_back(CellsOnLine);
     }
@@ -243,9 +245,9 @@ SplitTrianglesAt(WallMesh & mesh, std::vector<SplitEdge> & edges)
 void
 Slide(LineCoarsening & coarsening, Cut & cut)
 {
-  constexpr int sweeps = 3;
+  constexpr int sweeps = 10;
   constexpr int steps = 4;
-  for (int sweep = 0; sweep < sweeps; ++sweep)
+  for (int sweep = 0; sweep < sweeps && !cut.IsEven(); ++sweep)
   {
     for (std::size_t i = 1; i < cut.Segments(); ++i)
     {

@@ -16,7 +16,8 @@ namespace tissue
 namespace
 {
 constexpr int    FlipRounds = 3;
-constexpr int    FinalRounds = 5;
+constexpr int    FinalRounds = 2;
+constexpr int    MostVaried = 16;
 constexpr int    LineSearchSteps = 4;
 constexpr double MostDistortion = 1e12;
 /** Cosine of the largest angle between a triangle and the surface. */
@@ -120,6 +121,18 @@ PatchRemesher::SplitLongest(int most)
   return count;
 }
 
+bool
+PatchRemesher::MayCollapse(HalfEdge h) const
+{
+  const Vertex target = m_Patch.To(h);
+  bool         legal = m_Patch.CanCollapse(h);
+  m_Patch.ForEachAround(m_Patch.From(h), [&](HalfEdge around) {
+    const Vertex v = m_Patch.To(around);
+    legal = legal && (v == target || this->MayJoin(target, v) || m_Patch.AreJoined(target, v));
+  });
+  return legal;
+}
+
 PatchRemesher::Candidate
 PatchRemesher::BestCollapse(Vertex v) const
 {
@@ -127,7 +140,6 @@ PatchRemesher::BestCollapse(Vertex v) const
   Candidate   best{ std::numeric_limits<double>::infinity(), WallPatch::None };
   m_Patch.ForEachAround(v, [&](HalfEdge h) {
     const Vertex target = m_Patch.To(h);
-    bool         legal = m_Patch.CanCollapse(h);
     Shape        after;
     m_Patch.ForEachAround(v, [&](HalfEdge around) {
       const Vertex a = m_Patch.To(around);
@@ -135,13 +147,13 @@ PatchRemesher::BestCollapse(Vertex v) const
       if (a != target && b != target)
       {
         this->AddTriangle(after, target, a, b);
-        legal = legal && (m_Patch.AreJoined(target, a) || this->MayJoin(target, a));
-        legal = legal && (m_Patch.AreJoined(target, b) || this->MayJoin(target, b));
       }
     });
-    if (legal && after.turned <= before.turned && after.worst <= std::max(before.worst, CollapseDistortion))
+    const Candidate candidate{ after.distortion - before.distortion, h };
+    if (candidate < best && after.turned <= before.turned &&
+        after.worst <= std::max(before.worst, CollapseDistortion) && this->MayCollapse(h))
     {
-      best = std::min(best, Candidate{ after.distortion - before.distortion, h });
+      best = candidate;
     }
   });
   return best;
@@ -282,7 +294,7 @@ PatchRemesher::MoveVertices()
 }
 
 void
-PatchRemesher::Remesh(int numberOfInteriorVertices)
+PatchRemesher::RemeshTo(int numberOfInteriorVertices)
 {
   for (int changed = 1; changed > 0;)
   {
@@ -296,6 +308,51 @@ PatchRemesher::Remesh(int numberOfInteriorVertices)
     this->FlipEdges();
     this->MoveVertices();
   }
+}
+
+double
+PatchRemesher::MeanQuality() const
+{
+  double sum = 0.0;
+  int    count = 0;
+  for (HalfEdge h = 0; h < m_Patch.EndOfHalfEdges(); h += 3)
+  {
+    if (m_Patch.IsAlive(h))
+    {
+      sum += TriangleQuality(
+        m_Patch.PointAt(m_Patch.From(h)), m_Patch.PointAt(m_Patch.To(h)), m_Patch.PointAt(m_Patch.Opposite(h)));
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+void
+PatchRemesher::Remesh(int numberOfInteriorVertices)
+{
+  this->RemeshTo(numberOfInteriorVertices);
+  if (numberOfInteriorVertices > MostVaried)
+  {
+    return;
+  }
+  // Between few points the outline decides how many fit best.
+  const State start{ m_Patch, m_Feet };
+  State       best = start;
+  double      bestQuality = this->MeanQuality();
+  for (const int change : { 1, -1 })
+  {
+    m_Patch = start.patch;
+    m_Feet = start.feet;
+    this->RemeshTo(numberOfInteriorVertices + change);
+    const double quality = this->MeanQuality();
+    if (quality > bestQuality)
+    {
+      bestQuality = quality;
+      best = { m_Patch, m_Feet };
+    }
+  }
+  m_Patch = std::move(best.patch);
+  m_Feet = std::move(best.feet);
 }
 
 WallPatch

@@ -7,7 +7,7 @@
 #include "TissueTessellationCore/TriangleImprovement.h"
 
 #include "TissueTessellationCore/TriangleQuality.h"
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,14 +46,14 @@ private:
   void
   MoveWithinWall(PointId point);
   void
-  MoveAlongLine(const TripleLine & line, std::size_t i);
+  MoveAlongLine(const WallLine & line, std::size_t i);
   void
   SearchAlong(PointId point, const Point & direction);
   bool
   TryMove(PointId point, const Point & target, double distortion);
 
   WallMesh &                        m_Mesh;
-  std::vector<TripleLine>           m_Lines;
+  std::vector<WallLine>             m_Lines;
   std::vector<std::vector<PointId>> m_PointsWithin;
   std::vector<std::int32_t>         m_First;
   /** Three times the triangle, plus the point's place in it. */
@@ -62,7 +62,7 @@ private:
 
 Improvement::Improvement(WallMesh & mesh)
   : m_Mesh(mesh)
-  , m_Lines(CollectTripleLines(mesh))
+  , m_Lines(CollectWallLines(mesh))
   , m_PointsWithin(mesh.walls.size())
   , m_First(mesh.points.size() + 1, 0)
   , m_Triangles(3 * mesh.triangles.size())
@@ -100,7 +100,7 @@ Improvement::Sweep(const ParallelFor & parallelFor)
     }
   });
   // Triangles can join points of two lines.
-  for (const TripleLine & line : m_Lines)
+  for (const WallLine & line : m_Lines)
   {
     for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
     {
@@ -161,7 +161,7 @@ Improvement::MoveWithinWall(PointId point)
 }
 
 void
-Improvement::MoveAlongLine(const TripleLine & line, std::size_t i)
+Improvement::MoveAlongLine(const WallLine & line, std::size_t i)
 {
   const PointId point = line.points[i];
   const Point   chord = Normalized(m_Mesh.points[line.points[i + 1]] - m_Mesh.points[line.points[i - 1]]);

@@ -7,7 +7,6 @@
 #include "TissueTessellationCore/TriangleQuality.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace tissue
@@ -29,15 +28,6 @@ TriangleQuality(const Point & a, const Point & b, const Point & c)
 {
   const double squares = SumOfSquares(a, b, c);
   return squares > 0.0 ? 2.0 * std::sqrt(3.0) * Norm(Cross(b - a, c - a)) / squares : 0.0;
-}
-
-double
-TriangleDistortion(const Point & a, const Point & b, const Point & c)
-{
-  const double squares = SumOfSquares(a, b, c);
-  const Point  normal = Cross(b - a, c - a);
-  const double area = Dot(normal, normal);
-  return area > 0.0 ? squares * squares / (12.0 * area) : std::numeric_limits<double>::infinity();
 }
 
 Point

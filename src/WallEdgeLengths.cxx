@@ -31,9 +31,9 @@ AreasOfWalls(const WallMesh & mesh)
 /** What the number of triangles depends on. */
 struct Measures
 {
-  std::vector<double>     areas;
-  std::vector<TripleLine> lines;
-  std::vector<double>     lengths;
+  std::vector<double>   areas;
+  std::vector<WallLine> lines;
+  std::vector<double>   lengths;
 };
 
 double
@@ -71,7 +71,7 @@ NumberOfInteriorPoints(double area, double edgeLength, int outlineSegments)
 }
 
 double
-EdgeLengthAt(const TripleLine & line, const std::vector<double> & edgeLengths)
+EdgeLengthAt(const WallLine & line, const std::vector<double> & edgeLengths)
 {
   return std::min({ edgeLengths[line.walls[0]], edgeLengths[line.walls[1]], edgeLengths[line.walls[2]] });
 }
@@ -83,14 +83,14 @@ ChooseEdgeLengths(const WallMesh & mesh, double numberOfTriangles, const std::ve
   {
     throw std::invalid_argument("ChooseEdgeLengths: no triangles wanted, or not one factor for each wall");
   }
-  Measures measures{ AreasOfWalls(mesh), CollectTripleLines(mesh), {} };
+  Measures measures{ AreasOfWalls(mesh), CollectWallLines(mesh), {} };
   double   area = 0.0;
   for (std::size_t w = 0; w < measures.areas.size(); ++w)
   {
     const double factor = factors.empty() ? 1.0 : factors[w];
     area += measures.areas[w] / (factor * factor);
   }
-  for (const TripleLine & line : measures.lines)
+  for (const WallLine & line : measures.lines)
   {
     measures.lengths.push_back(LengthOf(line, mesh.points));
   }

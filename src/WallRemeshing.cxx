@@ -6,8 +6,9 @@
  *=========================================================================*/
 #include "TissueTessellationCore/WallRemeshing.h"
 
+#include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/PatchRemesher.h"
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
 #include "TissueTessellationCore/WallPieces.h"
@@ -43,7 +44,6 @@ AreaOf(const WallPatch & patch)
   return area;
 }
 
-/** What is in the place of a piece without a triangle is a piece without a triangle. */
 void
 RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLength, WallPiece & piece)
 {
@@ -77,6 +77,29 @@ RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Para
     RemeshPiece(mesh, wallsAt, edgeLengths[w], pieces[w]);
   });
   mesh = JoinWallPieces(mesh, pieces);
+}
+
+std::vector<double>
+RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors,
+                          const ParallelFor & parallelFor)
+{
+  constexpr int    tries = 3;
+  constexpr double tolerance = 0.02;
+  const WallMesh   before = mesh;
+  double           ordered = numberOfTriangles;
+  for (int i = 1;; ++i)
+  {
+    mesh = before;
+    std::vector<double> edgeLengths = ChooseEdgeLengths(mesh, ordered, factors);
+    SubdivideLines(mesh, edgeLengths);
+    RemeshWalls(mesh, edgeLengths, parallelFor);
+    const double ratio = static_cast<double>(mesh.triangles.size()) / numberOfTriangles;
+    if (i == tries || std::abs(ratio - 1.0) <= tolerance)
+    {
+      return edgeLengths;
+    }
+    ordered /= ratio;
+  }
 }
 
 void

@@ -4,31 +4,20 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TestComplexes.h"
+#include "TestWallMeshes.h"
 #include "WallMeshChecks.h"
 
-#include "TissueTessellationCore/CellCorners.h"
-#include "TissueTessellationCore/DualMesh.h"
 #include "TissueTessellationCore/WallRefinement.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-using namespace testing_complexes;
+using namespace testing_wall_meshes;
 using namespace wall_mesh_checks;
 
 namespace
 {
-WallMesh
-RandomTissue(int numberOfCells)
-{
-  const auto centers = RandomCenters(numberOfCells, 1);
-  const auto complex = DelaunayComplex(centers);
-  return TriangulateAsStars(
-    Dualize(complex, ComputeCorners(complex, JunctionsOf(complex, centers), CornerRule::ProjectedCircumcenter)));
-}
-
 /** An octahedron around cell 1, split and put on the unit sphere: no junctions, no triple lines. */
 WallMesh
 Sphere(int numberOfSplits)

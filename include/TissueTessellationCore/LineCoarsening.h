@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_LineCoarsening_h
 #define TissueTessellationCore_LineCoarsening_h
 
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 
 #include <vector>
 
@@ -25,7 +25,7 @@ public:
   /** Merges the i-th point of the line, an inner one, with a neighbour on the line, in all three walls.
    * Returns false, and changes nothing, where a rule forbids both. */
   bool
-  RemovePoint(TripleLine & line, std::size_t i);
+  RemovePoint(WallLine & line, std::size_t i);
 
   /** Moves a point of a line, unless a triangle at it forbids it. */
   bool

@@ -62,6 +62,12 @@ private:
     }
   };
 
+  struct State
+  {
+    WallPatch                       patch;
+    std::vector<PatchSurface::Foot> feet;
+  };
+
   void
   AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const;
   Shape
@@ -72,8 +78,15 @@ private:
   bool
   Claim(const std::vector<HalfEdge> & triangles);
 
+  void
+  RemeshTo(int numberOfInteriorVertices);
+  double
+  MeanQuality() const;
+
   int
   SplitLongest(int most);
+  bool
+  MayCollapse(HalfEdge h) const;
   Candidate
   BestCollapse(Vertex v) const;
   int

@@ -10,6 +10,8 @@
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallMesh.h"
 
+#include <limits>
+
 namespace tissue
 {
 /** \brief 4 sqrt(3) area / sum of squared edge lengths: 1 for an equilateral triangle, 0 for collinear or equal points.
@@ -17,9 +19,19 @@ namespace tissue
 double
 TriangleQuality(const Point & a, const Point & b, const Point & c);
 
-/** 1 / TriangleQuality squared: at least 1, infinite for a degenerate triangle. Needs no root. */
-double
-TriangleDistortion(const Point & a, const Point & b, const Point & c);
+/** 1 / TriangleQuality squared: at least 1, infinite for a degenerate triangle. Needs no root, and is for inner loops.
+ */
+inline double
+TriangleDistortion(const Point & a, const Point & b, const Point & c)
+{
+  const Point  ab = b - a;
+  const Point  ac = c - a;
+  const Point  bc = c - b;
+  const Point  normal = Cross(ab, ac);
+  const double squares = Dot(ab, ab) + Dot(ac, ac) + Dot(bc, bc);
+  const double area = Dot(normal, normal);
+  return area > 0.0 ? squares * squares / (12.0 * area) : std::numeric_limits<double>::infinity();
+}
 
 /** How TriangleDistortion changes with its first point; within the triangle's plane. Not finite for a degenerate
  * triangle. */

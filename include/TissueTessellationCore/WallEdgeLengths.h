@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_WallEdgeLengths_h
 #define TissueTessellationCore_WallEdgeLengths_h
 
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 
 #include <vector>
 
@@ -24,7 +24,7 @@ NumberOfInteriorPoints(double area, double edgeLength, int outlineSegments);
 
 /** The edge length at a line: the least of its walls', so that a wall's triangles meet those of the smallest cell. */
 double
-EdgeLengthAt(const TripleLine & line, const std::vector<double> & edgeLengths);
+EdgeLengthAt(const WallLine & line, const std::vector<double> & edgeLengths);
 
 /** \brief Lengths of the triangles' edges in each wall for a wanted number of triangles in all.
  *

@@ -28,6 +28,14 @@ namespace tissue
 void
 RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor = ParallelFor());
 
+/** \brief SubdivideLines(), then RemeshWalls(), to a wanted number of triangles in all; returns the edge lengths used.
+ *
+ * The lengths are those of ChooseEdgeLengths(), corrected until the number is within 2 % of the wanted one, at most
+ * twice; a number below what the outlines need is not reached. `factors` as there. */
+std::vector<double>
+RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors = {},
+                          const ParallelFor & parallelFor = ParallelFor());
+
 /** \brief Puts the triangles of `other` in the place of those of some walls: of `walls`, ascending.
  *
  * The two meshes must agree in their points on lines and at corners, which come first in both, as RemeshWalls leaves

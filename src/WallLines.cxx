@@ -4,11 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/TripleLines.h"
+#include "TissueTessellationCore/WallLines.h"
 
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace tissue
 {
@@ -60,8 +61,8 @@ CollectLineEdges(const WallMesh & mesh)
 }
 } // namespace
 
-std::vector<TripleLine>
-CollectTripleLines(const WallMesh & mesh)
+std::vector<WallLine>
+CollectWallLines(const WallMesh & mesh)
 {
   const std::vector<LineEdge> edges = CollectLineEdges(mesh);
   // The next edge along the line; the end of the line has more than one to follow, or none.
@@ -70,14 +71,14 @@ CollectTripleLines(const WallMesh & mesh)
       edges.begin(), edges.end(), edge.to, [](const LineEdge & e, PointId point) { return e.from < point; });
     return next->to == edge.from ? next + 1 : next;
   };
-  std::vector<TripleLine> lines;
+  std::vector<WallLine> lines;
   for (const LineEdge & first : edges)
   {
     if (mesh.numberOfCells[first.from] < CellsAtCorner)
     {
       continue;
     }
-    TripleLine line;
+    WallLine line;
     line.walls = first.walls;
     line.points = { first.from, first.to };
     for (const LineEdge * edge = &first; mesh.numberOfCells[edge->to] == CellsOnLine;)
@@ -90,11 +91,15 @@ CollectTripleLines(const WallMesh & mesh)
       lines.push_back(std::move(line));
     }
   }
+  std::sort(lines.begin(), lines.end(), [](const WallLine & a, const WallLine & b) {
+    return std::make_tuple(a.points.front(), a.points.back(), a.walls) <
+           std::make_tuple(b.points.front(), b.points.back(), b.walls);
+  });
   return lines;
 }
 
 double
-LengthOf(const TripleLine & line, const std::vector<Point> & points)
+LengthOf(const WallLine & line, const std::vector<Point> & points)
 {
   double length = 0.0;
   for (std::size_t i = 1; i < line.points.size(); ++i)

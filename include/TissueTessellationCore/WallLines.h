@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef TissueTessellationCore_TripleLines_h
-#define TissueTessellationCore_TripleLines_h
+#ifndef TissueTessellationCore_WallLines_h
+#define TissueTessellationCore_WallLines_h
 
 #include "TissueTessellationCore/WallMesh.h"
 
@@ -14,7 +14,7 @@
 namespace tissue
 {
 /** \brief Where three walls meet, from one corner to another: the dual of a triangle of the complex. */
-struct TripleLine
+struct WallLine
 {
   /** From the corner of the smaller index to the other; at least two. */
   std::vector<PointId> points;
@@ -22,14 +22,15 @@ struct TripleLine
   std::array<WallId, 3> walls = { { 0, 0, 0 } };
 };
 
-/** \brief The triple lines of a wall mesh, ascending by their first, then by their second point.
+/** \brief The triple lines of a wall mesh, ascending by their ends, then by their walls: the order stays when lines are
+ * cut.
  *
  * Every edge in triangles of three walls is on a line, and every line ends at two different corners. */
-std::vector<TripleLine>
-CollectTripleLines(const WallMesh & mesh);
+std::vector<WallLine>
+CollectWallLines(const WallMesh & mesh);
 
 double
-LengthOf(const TripleLine & line, const std::vector<Point> & points);
+LengthOf(const WallLine & line, const std::vector<Point> & points);
 
 /** \brief The walls at each point of a line or corner, ascending; none are kept for points within a wall. */
 class WallsAtPoints
