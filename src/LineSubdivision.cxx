@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace tissue
 {
@@ -265,28 +264,12 @@ Slide(LineCoarsening & coarsening, Cut & cut)
     }
   }
 }
-
-/** Numbers the points anew, without those that are gone. */
-void
-Renumber(WallMesh & mesh)
-{
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
-  std::vector<WallPiece>         pieces;
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
-  {
-    pieces.push_back(CutOutWall(mesh, first[w], first[w + 1]));
-  }
-  mesh = JoinWallPieces(mesh, pieces);
-}
 } // namespace
 
 void
 SubdivideLines(WallMesh & mesh, const std::vector<double> & edgeLengths)
 {
-  if (edgeLengths.size() != mesh.walls.size())
-  {
-    throw std::invalid_argument("SubdivideLines: not one edge length for each wall");
-  }
+  RequireEdgeLengths(mesh, edgeLengths);
   std::vector<Cut> cuts = PlanCuts(mesh, edgeLengths);
   if (std::any_of(cuts.begin(), cuts.end(), [](const Cut & cut) { return cut.Segments() > cut.segments; }))
   {
@@ -313,6 +296,7 @@ SubdivideLines(WallMesh & mesh, const std::vector<double> & edgeLengths)
       }
     }
   }
-  Renumber(mesh);
+  // Numbers the points anew, without those that are gone.
+  mesh = JoinWallPieces(mesh, CutOutWalls(mesh));
 }
 } // namespace tissue

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/PatchRemesher.h"
 
+#include "TissueTessellationCore/PatchMeasures.h"
 #include "TissueTessellationCore/TriangleQuality.h"
 
 #include <algorithm>
@@ -310,23 +311,6 @@ PatchRemesher::RemeshTo(int numberOfInteriorVertices)
   }
 }
 
-double
-PatchRemesher::MeanQuality() const
-{
-  double sum = 0.0;
-  int    count = 0;
-  for (HalfEdge h = 0; h < m_Patch.EndOfHalfEdges(); h += 3)
-  {
-    if (m_Patch.IsAlive(h))
-    {
-      sum += TriangleQuality(
-        m_Patch.PointAt(m_Patch.From(h)), m_Patch.PointAt(m_Patch.To(h)), m_Patch.PointAt(m_Patch.Opposite(h)));
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : 0.0;
-}
-
 void
 PatchRemesher::Remesh(int numberOfInteriorVertices)
 {
@@ -338,13 +322,13 @@ PatchRemesher::Remesh(int numberOfInteriorVertices)
   // Between few points the outline decides how many fit best.
   const State start{ m_Patch, m_Feet };
   State       best = start;
-  double      bestQuality = this->MeanQuality();
+  double      bestQuality = MeanQuality(m_Patch);
   for (const int change : { 1, -1 })
   {
     m_Patch = start.patch;
     m_Feet = start.feet;
     this->RemeshTo(numberOfInteriorVertices + change);
-    const double quality = this->MeanQuality();
+    const double quality = MeanQuality(m_Patch);
     if (quality > bestQuality)
     {
       bestQuality = quality;

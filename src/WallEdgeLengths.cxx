@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace tissue
 {
@@ -56,6 +57,23 @@ CountTriangles(const Measures & measures, const std::vector<double> & edgeLength
   return count;
 }
 } // namespace
+
+void
+RequireEdgeLengths(const WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  if (edgeLengths.size() != mesh.walls.size())
+  {
+    throw std::invalid_argument(std::to_string(edgeLengths.size()) + " edge lengths for " +
+                                std::to_string(mesh.walls.size()) + " walls");
+  }
+  for (const double length : edgeLengths)
+  {
+    if (!(length > 0.0))
+    {
+      throw std::invalid_argument("An edge length of a wall is " + std::to_string(length) + ", must be positive");
+    }
+  }
+}
 
 int
 NumberOfSegments(double length, double edgeLength)

@@ -7,13 +7,13 @@
 #include "TissueTessellationCore/WallRemeshing.h"
 
 #include "TissueTessellationCore/LineSubdivision.h"
+#include "TissueTessellationCore/PatchMeasures.h"
 #include "TissueTessellationCore/PatchRemesher.h"
 #include "TissueTessellationCore/WallLines.h"
-#include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
 #include "TissueTessellationCore/WallPieces.h"
 
-#include <stdexcept>
+#include <cmath>
 
 namespace tissue
 {
@@ -30,18 +30,6 @@ MakePatch(const WallMesh & mesh, const WallPiece & piece)
   }
   points.insert(points.end(), piece.interior.begin(), piece.interior.end());
   return WallPatch(std::move(points), piece.triangles, static_cast<WallPatch::Vertex>(piece.outline.size()));
-}
-
-double
-AreaOf(const WallPatch & patch)
-{
-  double area = 0.0;
-  for (WallPatch::HalfEdge h = 0; h < patch.EndOfHalfEdges(); h += 3)
-  {
-    const Point & a = patch.PointAt(patch.From(h));
-    area += 0.5 * Norm(Cross(patch.PointAt(patch.To(h)) - a, patch.PointAt(patch.Opposite(h)) - a));
-  }
-  return area;
 }
 
 void
@@ -65,10 +53,7 @@ RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLen
 void
 RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
 {
-  if (edgeLengths.size() != mesh.walls.size())
-  {
-    throw std::invalid_argument("RemeshWalls: not one edge length for each wall");
-  }
+  RequireEdgeLengths(mesh, edgeLengths);
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   const WallsAtPoints            wallsAt(mesh);
   std::vector<WallPiece>         pieces(mesh.walls.size());
@@ -105,16 +90,11 @@ RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::
 void
 ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> & walls)
 {
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
-  const std::vector<std::size_t> firstOfOther = FirstTrianglesOfWalls(other);
-  std::vector<WallPiece>         pieces;
-  auto                           next = walls.begin();
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(other);
+  std::vector<WallPiece>         pieces = CutOutWalls(mesh);
+  for (const WallId w : walls)
   {
-    const bool replaced = next != walls.end() && static_cast<std::size_t>(*next) == w;
-    next += replaced ? 1 : 0;
-    pieces.push_back(replaced ? CutOutWall(other, firstOfOther[w], firstOfOther[w + 1])
-                              : CutOutWall(mesh, first[w], first[w + 1]));
+    pieces[w] = CutOutWall(other, first[w], first[w + 1]);
   }
   mesh = JoinWallPieces(mesh, pieces);
 }

@@ -153,7 +153,11 @@ TEST(WallRemeshing, ACurvedWallStaysCurved)
   {
     if (mesh.walls[mesh.wallOfTriangle[t]].cells[1] == ExteriorVertex)
     {
-      for (const PointId p : mesh.triangles[t])
+      const auto & corners = mesh.triangles[t];
+      const Point  a = mesh.points[corners[0]];
+      const Point  normal = Normalized(Cross(mesh.points[corners[1]] - a, mesh.points[corners[2]] - a));
+      EXPECT_GT(Dot(normal, a), 0.8) << "turned or tilted";
+      for (const PointId p : corners)
       {
         EXPECT_GT(Norm(mesh.points[p]), 1.0 - 2.0 * (longest * longest + 0.2 * 0.2) / 6.0);
       }
@@ -221,10 +225,12 @@ TEST(WallRemeshing, AWallIsReplacedAlone)
   EXPECT_NE(TrianglesOfWall(cut, 2).size(), TrianglesOfWall(remeshed, 2).size());
 }
 
-TEST(WallRemeshing, RefusesLengthsThatAreNotOneForEachWall)
+TEST(WallRemeshing, RefusesLengthsThatAreNotOneForEachWallAndPositive)
 {
   WallMesh mesh = FourCells();
   EXPECT_THROW(RemeshWalls(mesh, { 1.0 }), std::invalid_argument);
+  EXPECT_THROW(RemeshWalls(mesh, AllOf(mesh, 0.0)), std::invalid_argument);
   EXPECT_THROW(SubdivideLines(mesh, { 1.0 }), std::invalid_argument);
+  EXPECT_THROW(SubdivideLines(mesh, AllOf(mesh, NaN)), std::invalid_argument);
   EXPECT_THROW(ChooseEdgeLengths(mesh, 0.0), std::invalid_argument);
 }

@@ -30,7 +30,8 @@ public:
   /** \param patch a compact one. */
   PatchRemesher(const WallPatch & patch, ChordRule mayJoin);
 
-  /** Fewer points than wanted come of no wall, more where a collapse is refused by the rules above. */
+  /** Up to 16 points within, one more or one less is taken where that makes the mean TriangleQuality better. More stay
+   * where no collapse is allowed. */
   void
   Remesh(int numberOfInteriorVertices);
 
@@ -74,14 +75,12 @@ private:
   ShapeAround(Vertex v) const;
   bool
   MayJoin(Vertex a, Vertex b) const;
-  /** Lasting where any of the two was changed in this pass. */
+  /** Marks triangles as changed in this pass; false, and none is marked, where one of them is already. */
   bool
-  Claim(const std::vector<HalfEdge> & triangles);
+  Claim(const std::vector<HalfEdge> & halfEdges);
 
   void
   RemeshTo(int numberOfInteriorVertices);
-  double
-  MeanQuality() const;
 
   int
   SplitLongest(int most);

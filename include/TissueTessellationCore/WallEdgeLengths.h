@@ -13,6 +13,10 @@
 
 namespace tissue
 {
+/** \throws std::invalid_argument unless there is one edge length for each wall, and all are positive. */
+void
+RequireEdgeLengths(const WallMesh & mesh, const std::vector<double> & edgeLengths);
+
 /** Pieces of a line of the given length: length / edgeLength, rounded, at least 1. */
 int
 NumberOfSegments(double length, double edgeLength);

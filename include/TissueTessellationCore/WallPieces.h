@@ -31,6 +31,11 @@ FirstTrianglesOfWalls(const WallMesh & mesh);
 WallPiece
 CutOutWall(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTriangle);
 
+/** All walls, in their order.
+ * \throws std::invalid_argument as FirstTrianglesOfWalls() does. */
+std::vector<WallPiece>
+CutOutWalls(const WallMesh & mesh);
+
 /** The pieces in the place of the walls of `mesh`, of which the points on lines and at corners remain, and come first.
  */
 WallMesh

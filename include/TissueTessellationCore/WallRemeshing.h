@@ -36,7 +36,7 @@ std::vector<double>
 RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors = {},
                           const ParallelFor & parallelFor = ParallelFor());
 
-/** \brief Puts the triangles of `other` in the place of those of some walls: of `walls`, ascending.
+/** \brief Puts the triangles of `other` in the place of those of some walls.
  *
  * The two meshes must agree in their points on lines and at corners, which come first in both, as RemeshWalls leaves
  * them; so do the result's. */
