@@ -10,6 +10,10 @@ namespace tissue
 {
 namespace
 {
+/** A complex whose energy, below 0, is above this share of the best one's has melted: where a start is wrong nearly
+ * everywhere, a high temperature has nothing to hold on to, and the next round would start from chaos. */
+constexpr double MeltedShare = 0.8;
+
 std::vector<TetrahedronId>
 ListTetrahedra(const AdjacencyComplex & complex)
 {
@@ -50,6 +54,11 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
     {
       best = state.complex;
       bestEnergy = state.energy.Total();
+    }
+    else if (state.energy.Total() > MeltedShare * bestEnergy)
+    {
+      state.complex = best;
+      state.energy.Recompute();
     }
   }
   state.complex = best;
