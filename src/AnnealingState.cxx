@@ -6,18 +6,38 @@
  *=========================================================================*/
 #include "TissueTessellationCore/AnnealingState.h"
 
+#include <algorithm>
+
 namespace tissue
 {
+std::vector<TetrahedronId>
+AnnealingState::WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra) const
+{
+  std::vector<TetrahedronId> list;
+  for (const TetrahedronId id : tetrahedra)
+  {
+    const AdjacencyComplex::Tetrahedron & tetrahedron = complex.GetTetrahedron(id);
+    if (!energy.GetReference()->HasQuadruple(tetrahedron.vertices))
+    {
+      list.push_back(id);
+      list.insert(list.end(), tetrahedron.neighbors.begin(), tetrahedron.neighbors.end());
+    }
+  }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 Proposal
 AnnealingState::RemoveEdgeByReference(VertexPair edge) const
 {
   const ReferenceAdjacency & reference = *energy.GetReference();
-  return operations.RemoveEdge(edge, [&](VertexPair e, const AdjacencyComplex::Ring & ring, int i, int j, int k) {
+  return operations.RemoveEdge(edge, [&](const AdjacencyComplex::Ring & ring, int i, int j, int k) {
     const VertexId a = ring.vertices[i];
     const VertexId b = ring.vertices[j];
     const VertexId c = ring.vertices[k];
-    return (reference.HasQuadruple({ { e[0], a, b, c } }) ? 0.0 : 1.0) +
-           (reference.HasQuadruple({ { e[1], a, b, c } }) ? 0.0 : 1.0);
+    return (reference.HasQuadruple({ { edge[0], a, b, c } }) ? 0.0 : 1.0) +
+           (reference.HasQuadruple({ { edge[1], a, b, c } }) ? 0.0 : 1.0);
   });
 }
 
@@ -42,7 +62,7 @@ AnnealingState::ProposeAt(TetrahedronId id, std::int32_t maximumDegree)
   {
     return this->RemoveEdgeByReference(edge);
   }
-  return operations.RemoveEdge(
-    edge, [this](VertexPair, const AdjacencyComplex::Ring &, int, int, int) { return random.Uniform(); });
+  return operations.RemoveEdge(edge,
+                               [this](const AdjacencyComplex::Ring &, int, int, int) { return random.Uniform(); });
 }
 } // namespace tissue

@@ -6,32 +6,27 @@
  *=========================================================================*/
 #include "TissueTessellationCore/FocusedAnnealing.h"
 
-#include <algorithm>
-
 namespace tissue
 {
 namespace
 {
-/** The tetrahedra that are not in the reference, and their neighbours, ascending. */
+/** A complex whose energy, below 0, is above this share of the best one's has melted: where a start is wrong nearly
+ * everywhere, a high temperature has nothing to hold on to, and the next round would start from chaos. */
+constexpr double MeltedShare = 0.8;
+
 std::vector<TetrahedronId>
-ListWrongTetrahedra(const AnnealingState & state)
+ListTetrahedra(const AdjacencyComplex & complex)
 {
-  const AdjacencyComplex &   complex = state.complex;
   std::vector<TetrahedronId> list;
   for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
   {
-    if (complex.IsAlive(id) && !state.energy.GetReference()->HasQuadruple(complex.GetTetrahedron(id).vertices))
+    if (complex.IsAlive(id))
     {
-      const auto & neighbors = complex.GetTetrahedron(id).neighbors;
       list.push_back(id);
-      list.insert(list.end(), neighbors.begin(), neighbors.end());
     }
   }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
   return list;
 }
-
 } // namespace
 
 void
@@ -40,13 +35,12 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
 {
   AdjacencyComplex best = state.complex;
   double           bestEnergy = state.energy.Total();
-  const double     cooling = std::pow(parameters.finalTemperature / parameters.initialTemperature,
-                                  1.0 / std::max(1, parameters.numberOfRounds - 1));
-  double           temperature = parameters.initialTemperature * oneQuadruple;
-  for (int round = 0; round < parameters.numberOfRounds; ++round, temperature *= cooling)
+  const Cooling    cooling{ parameters.initialTemperature, parameters.finalTemperature, parameters.numberOfRounds };
+  for (int round = 0; round < parameters.numberOfRounds; ++round)
   {
+    const double temperature = oneQuadruple * cooling.Temperature(round);
     Report(progress, static_cast<double>(round) / parameters.numberOfRounds);
-    const std::vector<TetrahedronId> list = ListWrongTetrahedra(state);
+    const std::vector<TetrahedronId> list = state.WrongAndNeighbors(ListTetrahedra(state.complex));
     const std::size_t numberOfProposals = list.size() * static_cast<std::size_t>(parameters.proposalsPerTetrahedron);
     for (std::size_t i = 0; i < numberOfProposals; ++i)
     {
@@ -60,6 +54,11 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
     {
       best = state.complex;
       bestEnergy = state.energy.Total();
+    }
+    else if (state.energy.Total() > MeltedShare * bestEnergy)
+    {
+      state.complex = best;
+      state.energy.Recompute();
     }
   }
   state.complex = best;

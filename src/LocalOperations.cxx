@@ -168,17 +168,11 @@ LocalOperations::RemoveEdge(VertexPair edge) const
   return ReplaceRing(edge, ring, LeastCostTriangulation(static_cast<int>(corners.size()), cost));
 }
 
-Proposal
-LocalOperations::RemoveEdge(VertexPair edge, const RingCost & ringCost) const
+LocalOperations::FreeDiagonals
+LocalOperations::FindFreeDiagonals(const AdjacencyComplex::Ring & ring) const
 {
-  const auto ring = m_Complex.GetRing(edge[0], edge[1]);
-  const int  n = static_cast<int>(ring.vertices.size());
-  if (n > m_MaximumDegree)
-  {
-    return { Verdict::DegreeAboveLimit, {} };
-  }
-  // Whether the diagonal is free is asked many times in the O(n^3) search: looked up once for each.
-  std::vector<char> isFree(static_cast<std::size_t>(n * n), 1);
+  const int     n = static_cast<int>(ring.vertices.size());
+  FreeDiagonals isFree(static_cast<std::size_t>(n * n), 1);
   for (int i = 0; i < n; ++i)
   {
     for (int k = i + 2; k < n; ++k)
@@ -186,11 +180,7 @@ LocalOperations::RemoveEdge(VertexPair edge, const RingCost & ringCost) const
       isFree[i * n + k] = !IsDiagonal(i, k, n) || !m_Complex.FindEdge(ring.vertices[i], ring.vertices[k]);
     }
   }
-  const auto cost = [&](int i, int j, int k) {
-    return isFree[i * n + j] && isFree[j * n + k] && isFree[i * n + k] ? ringCost(edge, ring, i, j, k)
-                                                                       : std::numeric_limits<double>::infinity();
-  };
-  return ReplaceRing(edge, ring, LeastCostTriangulation(n, cost));
+  return isFree;
 }
 
 Proposal

@@ -10,57 +10,6 @@
 
 namespace tissue
 {
-RingTriangulation
-LeastCostTriangulation(int n, const TriangleCost & cost)
-{
-  constexpr double    infinite = std::numeric_limits<double>::infinity();
-  const auto          at = [n](int i, int k) { return static_cast<std::size_t>(i * n + k); };
-  std::vector<double> least(at(n, 0), 0.0); // of the polygon i, i + 1, ..., k
-  std::vector<int>    split(at(n, 0), -1);  // the third corner of its triangle on the edge (i, k)
-  for (int length = 2; length < n; ++length)
-  {
-    for (int i = 0; i + length < n; ++i)
-    {
-      const int k = i + length;
-      least[at(i, k)] = infinite;
-      for (int j = i + 1; j < k; ++j)
-      {
-        const double parts = least[at(i, j)] + least[at(j, k)];
-        if (parts >= least[at(i, k)])
-        {
-          continue;
-        }
-        const double sum = parts + cost(i, j, k);
-        if (sum < least[at(i, k)])
-        {
-          least[at(i, k)] = sum;
-          split[at(i, k)] = j;
-        }
-      }
-    }
-  }
-  RingTriangulation triangles;
-  if (n < 3 || least[at(0, n - 1)] == infinite)
-  {
-    return triangles;
-  }
-  std::vector<std::array<int, 2>> open{ { { 0, n - 1 } } };
-  while (!open.empty())
-  {
-    const int i = open.back()[0];
-    const int k = open.back()[1];
-    open.pop_back();
-    if (k - i >= 2)
-    {
-      const int j = split[at(i, k)];
-      triangles.push_back({ { i, j, k } });
-      open.push_back({ { i, j } });
-      open.push_back({ { j, k } });
-    }
-  }
-  return triangles;
-}
-
 double
 DelaunayCost(const std::array<double, 2> & a, const std::array<double, 2> & b, const std::array<double, 2> & c)
 {

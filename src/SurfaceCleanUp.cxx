@@ -89,7 +89,7 @@ private:
       if (IsOversized(edge[0], edge[1]) && m_Complex.FindEdge(edge[0], edge[1])->degree == 3)
       {
         // A ring of three has one triangulation, whatever its cost.
-        const auto noCost = [](VertexPair, const AdjacencyComplex::Ring &, int, int, int) { return 0.0; };
+        const auto noCost = [](const AdjacencyComplex::Ring &, int, int, int) { return 0.0; };
         if (const Proposal removal = m_Operations.RemoveEdge(edge, noCost))
         {
           m_Complex.Apply(removal.replacement);

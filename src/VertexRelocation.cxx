@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace tissue
@@ -84,14 +85,15 @@ public:
     , m_OneQuadruple(oneQuadruple)
   {}
 
+  /** `imageNeighbors`: the cells that meet the vertex's in the image, without the exterior. */
   bool
-  Relocate(VertexId vertex)
+  Relocate(VertexId vertex, const std::vector<VertexId> & imageNeighbors)
   {
     Journal journal(m_State);
     if (this->TakeOut(vertex, journal))
     {
       const std::size_t taken = journal.Size();
-      for (const VertexQuadruple & place : this->FindPlaces(vertex))
+      for (const VertexQuadruple & place : this->FindPlaces(vertex, imageNeighbors))
       {
         this->PutIn(vertex, place, journal);
         if (journal.Best() > 0)
@@ -159,22 +161,32 @@ private:
     return neighbors;
   }
 
-  /** Tetrahedra that are not in the reference, the most promising first: by the quadruples that the vertex would make
-   * there, then by the neighbours that it would have. */
+  /** Tetrahedra at the vertex's neighbours in the image that are not in the reference, the most promising first: by the
+   * quadruples that the vertex would make there, then by the neighbours that it would have. */
   std::vector<VertexQuadruple>
-  FindPlaces(VertexId vertex) const
+  FindPlaces(VertexId vertex, const std::vector<VertexId> & imageNeighbors) const
   {
-    const ReferenceAdjacency &                         reference = *m_State.energy.GetReference();
-    std::vector<std::tuple<int, int, VertexQuadruple>> places;
-    for (TetrahedronId id = 0; id < m_State.complex.TetrahedronIdBound(); ++id)
+    const ReferenceAdjacency &   reference = *m_State.energy.GetReference();
+    std::vector<VertexQuadruple> candidates;
+    for (const VertexId neighbor : imageNeighbors)
     {
-      if (!m_State.complex.IsAlive(id) || reference.HasQuadruple(m_State.complex.GetTetrahedron(id).vertices))
+      for (const TetrahedronId id : m_State.complex.GetStar(neighbor))
+      {
+        candidates.push_back(Canonical(m_State.complex.GetTetrahedron(id).vertices));
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+
+    std::vector<std::tuple<int, int, VertexQuadruple>> places;
+    for (const VertexQuadruple & vertices : candidates)
+    {
+      if (reference.HasQuadruple(vertices))
       {
         continue;
       }
-      const VertexQuadruple & vertices = m_State.complex.GetTetrahedron(id).vertices;
-      int                     quadruples = 0;
-      int                     pairs = 0;
+      int quadruples = 0;
+      int pairs = 0;
       for (int i = 0; i < 4; ++i)
       {
         VertexQuadruple created = vertices;
@@ -182,16 +194,14 @@ private:
         quadruples += reference.HasQuadruple(created) ? 1 : 0;
         pairs += reference.HasPair(vertex, vertices[i]) ? 1 : 0;
       }
-      places.emplace_back(-quadruples, -pairs, Canonical(vertices));
+      places.emplace_back(-quadruples, -pairs, vertices);
     }
-    std::sort(places.begin(), places.end());
+    const std::size_t n = std::min<std::size_t>(places.size(), static_cast<std::size_t>(m_Parameters.numberOfPlaces));
+    std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n), places.end());
     std::vector<VertexQuadruple> best;
-    for (const auto & place : places)
+    for (std::size_t i = 0; i < n; ++i)
     {
-      if (static_cast<int>(best.size()) < m_Parameters.numberOfPlaces)
-      {
-        best.push_back(std::get<2>(place));
-      }
+      best.push_back(std::get<2>(places[i]));
     }
     return best;
   }
@@ -206,12 +216,13 @@ private:
       return Canonical(m_State.complex.GetTetrahedron(t).vertices) == place;
     });
     journal.Do(m_State.operations.InsertVertex(vertex, id).replacement);
-    double       temperature = m_Parameters.initialTemperature * m_OneQuadruple;
-    const double cooling = std::pow(m_Parameters.finalTemperature / m_Parameters.initialTemperature,
-                                    1.0 / std::max(1, m_Parameters.numberOfRounds - 1));
-    for (int round = 0; round < m_Parameters.numberOfRounds; ++round, temperature *= cooling)
+    const Cooling cooling{ m_Parameters.initialTemperature,
+                           m_Parameters.finalTemperature,
+                           m_Parameters.numberOfRounds };
+    for (int round = 0; round < m_Parameters.numberOfRounds; ++round)
     {
-      const std::vector<TetrahedronId> list = this->ListAround(vertex);
+      const double                     temperature = m_OneQuadruple * cooling.Temperature(round);
+      const std::vector<TetrahedronId> list = this->ListWrongAround(vertex);
       const std::size_t                n = list.size() * static_cast<std::size_t>(m_Parameters.proposalsPerTetrahedron);
       for (std::size_t i = 0; i < n; ++i)
       {
@@ -224,9 +235,11 @@ private:
     }
   }
 
-  /** The star of a vertex and the tetrahedra on its boundary. */
+  /** Of the star of a vertex and the tetrahedra on its boundary those that are not in the reference, and their
+   * neighbours.
+   */
   std::vector<TetrahedronId>
-  ListAround(VertexId vertex) const
+  ListWrongAround(VertexId vertex) const
   {
     std::vector<TetrahedronId> list = m_State.complex.GetStar(vertex);
     for (std::size_t k = 0, n = list.size(); k < n; ++k)
@@ -234,9 +247,7 @@ private:
       const auto & t = m_State.complex.GetTetrahedron(list[k]);
       list.push_back(t.neighbors[std::find(t.vertices.begin(), t.vertices.end(), vertex) - t.vertices.begin()]);
     }
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
+    return m_State.WrongAndNeighbors(list);
   }
 
   static constexpr std::int32_t LargestDegree = 8;
@@ -245,15 +256,47 @@ private:
   const VertexRelocationParameters & m_Parameters;
   double                             m_OneQuadruple;
 };
+
+/** Of each of the vertices, the others of its quadruples, ascending, without the exterior. */
+std::map<VertexId, std::vector<VertexId>>
+CollectNeighbors(const std::vector<VertexQuadruple> &                   quadruples,
+                 const std::vector<std::pair<std::int32_t, VertexId>> & vertices)
+{
+  std::map<VertexId, std::vector<VertexId>> neighbors;
+  for (const auto & entry : vertices)
+  {
+    neighbors[entry.second];
+  }
+  for (const VertexQuadruple & quadruple : quadruples)
+  {
+    for (const VertexId v : quadruple)
+    {
+      const auto at = neighbors.find(v);
+      if (at != neighbors.end())
+      {
+        std::copy_if(quadruple.begin(), quadruple.end(), std::back_inserter(at->second), [v](VertexId other) {
+          return other != v && other != ExteriorVertex;
+        });
+      }
+    }
+  }
+  for (auto & entry : neighbors)
+  {
+    std::sort(entry.second.begin(), entry.second.end());
+    entry.second.erase(std::unique(entry.second.begin(), entry.second.end()), entry.second.end());
+  }
+  return neighbors;
+}
 } // namespace
 
 std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
                  const ProgressFunction & progress)
 {
-  const ReferenceAdjacency & reference = *state.energy.GetReference();
-  std::vector<std::int32_t>  wanted(static_cast<std::size_t>(state.complex.NumberOfVertices()), 0);
-  for (const VertexQuadruple & quadruple : reference.GetQuadruples())
+  const ReferenceAdjacency &         reference = *state.energy.GetReference();
+  const std::vector<VertexQuadruple> quadruples = reference.GetQuadruples();
+  std::vector<std::int32_t>          wanted(static_cast<std::size_t>(state.complex.NumberOfVertices()), 0);
+  for (const VertexQuadruple & quadruple : quadruples)
   {
     for (const VertexId v : quadruple)
     {
@@ -282,6 +325,10 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
     }
   }
   std::sort(order.begin(), order.end());
+  const auto most = static_cast<std::size_t>(parameters.largestShare * state.complex.NumberOfVertices()) + 1;
+  order.resize(std::min(order.size(), most));
+
+  const auto  neighbors = CollectNeighbors(quadruples, order);
   Relocation  relocation(state, parameters, oneQuadruple);
   std::size_t relocated = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -291,7 +338,7 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
     const VertexId v = order[i].second;
     if (isWrong(countWrong(v), v))
     {
-      relocated += relocation.Relocate(v) ? 1 : 0;
+      relocated += relocation.Relocate(v, neighbors.at(v)) ? 1 : 0;
     }
   }
   return relocated;

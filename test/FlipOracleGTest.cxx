@@ -108,8 +108,8 @@ private:
 
 TEST(FlipOracle, FlipsAgreeWithThoseOfCGAL)
 {
-  const RingCost noCost = [](VertexPair, const AdjacencyComplex::Ring &, int, int, int) { return 0.0; };
-  int            numbers[2][2] = { { 0, 0 }, { 0, 0 } }; // of swaps and removals, refused and done
+  const auto noCost = [](const AdjacencyComplex::Ring &, int, int, int) { return 0.0; };
+  int        numbers[2][2] = { { 0, 0 }, { 0, 0 } }; // of swaps and removals, refused and done
   // Removals are refused in small complexes only.
   for (const int numberOfCells : { 5, 25 })
   {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -19,6 +20,8 @@ using namespace tissue;
 
 namespace
 {
+using TriangleCost = std::function<double(int i, int j, int k)>;
+
 using Triangle = std::array<int, 3>;
 using PlanePoint = std::array<double, 2>;
 using Polygon = std::vector<PlanePoint>;

@@ -4,8 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "RandomMoves.h"
-#include "TestComplexes.h"
+#include "KnownComplexProblem.h"
 
 #include "TissueTessellationCore/TopologyOptimizer.h"
 
@@ -18,15 +17,6 @@ using namespace testing_complexes;
 
 namespace
 {
-EnergyParameters
-ImageTermOnly()
-{
-  EnergyParameters parameters;
-  parameters.neighborWeight = 0.0;
-  parameters.lengthWeight = 0.0;
-  return parameters;
-}
-
 AnnealingParameters
 CombinatorialAnnealing(std::uint64_t seed = 1)
 {
@@ -36,31 +26,6 @@ CombinatorialAnnealing(std::uint64_t seed = 1)
   parameters.seed = seed;
   return parameters;
 }
-
-/** A random Delaunay complex as the truth, what an image of it would give, and a scrambled start. */
-struct Problem
-{
-  Problem(int numberOfCells, int numberOfMoves, std::uint64_t seed, Legality legality = Legality::Combinatorial)
-    : centers(RandomCenters(numberOfCells, seed))
-    , complex(DelaunayComplex(centers))
-    , truth(complex.GetTetrahedra())
-    , reference(JunctionsOf(complex, centers))
-  {
-    Random random(seed);
-    Scramble(complex, LocalOperations(complex, centers, legality), numberOfMoves, random);
-  }
-
-  double
-  Adjacency4() const
-  {
-    return ComputeAdjacencyOverlap(complex, reference).adjacency4;
-  }
-
-  std::vector<Point>           centers;
-  AdjacencyComplex             complex;
-  std::vector<VertexQuadruple> truth;
-  ReferenceAdjacency           reference;
-};
 
 std::vector<AnnealingCycle>
 Optimize(Problem & problem, const AnnealingParameters & parameters)

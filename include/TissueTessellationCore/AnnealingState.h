@@ -15,6 +15,21 @@
 
 namespace tissue
 {
+/** Temperatures of a number of rounds that fall geometrically from the first to the last. */
+struct Cooling
+{
+  double first;
+  double last;
+  int    numberOfRounds;
+
+  double
+  Temperature(int round) const
+  {
+    return numberOfRounds > 1 ? first * std::pow(last / first, static_cast<double>(round) / (numberOfRounds - 1))
+                              : first;
+  }
+};
+
 /** \brief A complex under annealing, with what every schedule needs: the operations, the energy, chance. */
 struct AnnealingState
 {
@@ -62,6 +77,10 @@ struct AnnealingState
   {
     return complex.GetTetrahedron(complex.GetTetrahedron(id).neighbors[i]).vertices[complex.MirrorIndex(id, i)];
   }
+
+  /** Those of the tetrahedra that are not in the reference, and their neighbours; ascending. */
+  std::vector<TetrahedronId>
+  WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra) const;
 
   /** Edge removal with the ring's triangulation that makes most quadruples of the reference. */
   Proposal

@@ -10,6 +10,7 @@
 #include "TissueTessellationCore/AdjacencyComplex.h"
 #include "TissueTessellationCore/RingTriangulation.h"
 
+#include <limits>
 #include <vector>
 
 namespace tissue
@@ -56,10 +57,6 @@ struct Proposal
   explicit operator bool() const { return verdict == Verdict::Legal; }
 };
 
-/** Cost, at least 0, of the triangle of the ring's vertices i < j < k, where the ring of `edge` is triangulated to
- * remove the edge. */
-using RingCost = std::function<double(VertexPair edge, const AdjacencyComplex::Ring & ring, int i, int j, int k)>;
-
 /** \brief Proposes the local topological operations of the paper (section 3.2) on a complex, changing nothing. */
 class LocalOperations
 {
@@ -88,11 +85,27 @@ public:
   Proposal
   RemoveEdge(VertexPair edge) const;
 
-  /** Edge removal with the triangulation of least cost among those whose diagonals do not exist yet.
-   * Refused: DegreeAboveLimit, NoTriangulation, TriangleExists, Inverted.
-   * \throws std::invalid_argument where the two vertices are not adjacent. */
+  /** Edge removal with the triangulation of least cost among those whose diagonals do not exist yet. `cost(ring, i, j,
+   * k)`, at least 0, is that of the triangle of the ring's vertices i < j < k. Refused: DegreeAboveLimit,
+   * NoTriangulation, TriangleExists, Inverted. \throws std::invalid_argument where the two vertices are not adjacent.
+   */
+  template <typename TRingCost>
   Proposal
-  RemoveEdge(VertexPair edge, const RingCost & ringCost) const;
+  RemoveEdge(VertexPair edge, const TRingCost & cost) const
+  {
+    const AdjacencyComplex::Ring ring = m_Complex.GetRing(edge[0], edge[1]);
+    const int                    n = static_cast<int>(ring.vertices.size());
+    if (n > m_MaximumDegree)
+    {
+      return { Verdict::DegreeAboveLimit, {} };
+    }
+    const FreeDiagonals isFree = FindFreeDiagonals(ring);
+    const auto          costIfFree = [&](int i, int j, int k) {
+      return isFree[i * n + j] && isFree[j * n + k] && isFree[i * n + k] ? cost(ring, i, j, k)
+                                                                                  : std::numeric_limits<double>::infinity();
+    };
+    return ReplaceRing(edge, ring, LeastCostTriangulation(n, costIfFree));
+  }
 
   /** Vertex removal (4-1 flip): the four tetrahedra around a vertex become one. Combinatorial legality alone.
    * Refused: TooManyNeighbors, TetrahedronExists. */
@@ -105,6 +118,12 @@ public:
   InsertVertex(VertexId vertex, TetrahedronId id) const;
 
 private:
+  /** Of the ring's vertices i < k at [i * n + k]: whether they may be joined. */
+  using FreeDiagonals = boost::container::small_vector<char, 144>;
+
+  FreeDiagonals
+  FindFreeDiagonals(const AdjacencyComplex::Ring & ring) const;
+
   Proposal
   ReplaceRing(VertexPair edge, const AdjacencyComplex::Ring & ring, const RingTriangulation & triangles) const;
 

@@ -17,6 +17,9 @@ struct VertexRelocationParameters
   /** A vertex is tried where its quadruples that are missing and its tetrahedra that are not in the reference are more
    * than this share of its quadruples in the reference; 0 or more. */
   double wrongShare = 0.25;
+  /** At most this share of all vertices is tried, the worst first: where more are wrong, the rest of the complex is no
+   * help to place them by. */
+  double largestShare = 0.2;
   /** Places that are tried for a vertex, the most promising first. */
   int numberOfPlaces = 2;
   /** Rounds of annealing around the vertex at its new place, and proposals in each for each tetrahedron there. */
