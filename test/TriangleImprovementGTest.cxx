@@ -56,7 +56,6 @@ TEST(TriangleImprovement, FallsFromSweepToSweepAndKeepsCorners)
       EXPECT_EQ(mesh.points[p], before.points[p]);
     }
   }
-  EXPECT_GT(SummarizeTriangleQuality(mesh).mean, SummarizeTriangleQuality(before).mean);
 }
 
 TEST(TriangleImprovement, FlatWallsAndStraightLinesStaySo)
@@ -87,9 +86,32 @@ TEST(TriangleImprovement, TheOrderOfWorkDoesNotMatter)
   EXPECT_EQ(forwards.points, backwards.points);
 }
 
-TEST(TriangleImprovement, EquilateralTrianglesStay)
+TEST(TriangleImprovement, PointsThatWereMovedAsideGoBack)
 {
-  // A wall of six equilateral triangles: the orange's outline is not it, so the middle of a hexagon alone is looked at.
+  WallMesh mesh = FourCells();
+  RemeshToNumberOfTriangles(mesh, 4 * 150.0);
+  const QualitySummary good = SummarizeTriangleQuality(mesh);
+  std::set<PointId>    moved;
+  for (const auto & triangle : mesh.triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const PointId p = triangle[i];
+      if (mesh.numberOfCells[p] == CellsWithinWall && moved.insert(p).second)
+      {
+        mesh.points[p] = mesh.points[p] + 0.3 * (mesh.points[triangle[(i + 1) % 3]] - mesh.points[p]);
+      }
+    }
+  }
+  const QualitySummary aside = SummarizeTriangleQuality(mesh);
+  ASSERT_LT(aside.mean, good.mean - 0.02);
+  ImproveTriangles(mesh, 20);
+  EXPECT_GT(SummarizeTriangleQuality(mesh).mean, good.mean - 0.01);
+  EXPECT_GT(SummarizeTriangleQuality(mesh).fifthPercentile, good.fifthPercentile - 0.02);
+}
+
+TEST(TriangleImprovement, APointAmongEquilateralTrianglesGoesToTheMiddle)
+{
   WallMesh     mesh;
   const double sixth = std::acos(-1.0) / 3.0;
   for (int i = 0; i < 6; ++i)
@@ -103,5 +125,5 @@ TEST(TriangleImprovement, EquilateralTrianglesStay)
   mesh.points.push_back({ { 0.3, 0.2, 0.0 } });
   mesh.numberOfCells.push_back(CellsWithinWall);
   ImproveTriangles(mesh, 100);
-  EXPECT_NEAR(Norm(mesh.points[6]), 0.0, 1e-3);
+  EXPECT_LT(Norm(mesh.points[6]), 1.0 / 64.0) << "within the shortest step";
 }
