@@ -1,0 +1,42 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_WallFitting_h
+#define TissueTessellationCore_WallFitting_h
+
+#include "TissueTessellationCore/AdjacencyComplex.h"
+#include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/LabelVolume.h"
+#include "TissueTessellationCore/ParallelFor.h"
+#include "TissueTessellationCore/WallMesh.h"
+
+namespace tissue
+{
+/** \brief How the fit of the walls went. */
+struct WallFittingStatistics
+{
+  /** Corners whose four cells do not meet in the image, or nowhere near. */
+  std::int64_t unfittedCorners = 0;
+  /** Pairs of triangles of the first star that crossed, and those that no search could part. */
+  std::int64_t untangledPairs = 0;
+  std::int64_t crossingPairs = 0;
+  /** Walls that stay a star, as their triangles would cross others if remeshed. */
+  std::int64_t starWalls = 0;
+};
+
+/** \brief The walls of the complex's dual, fitted to the label image: corners, triple lines and walls where the
+ * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
+ * crossing unless the statistics say so.
+ *
+ * `trianglesPerCell`, each triangle counted once, is approached from below; 0: the stars alone, whose points are the
+ * corners, then the walls' centres. Deterministic for any `parallelFor`. */
+WallMesh
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
+         const ParallelFor & parallelFor = ParallelFor());
+} // namespace tissue
+
+#endif

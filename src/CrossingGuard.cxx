@@ -1,0 +1,203 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/CrossingGuard.h"
+
+#include "TissueTessellationCore/BoxGrid.h"
+#include "TissueTessellationCore/TriangleCrossing.h"
+#include "TissueTessellationCore/Vector.h"
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace
+{
+using Triangle = std::array<PointId, 3>;
+
+int
+CountShared(const Triangle & a, const Triangle & b)
+{
+  int shared = 0;
+  for (const PointId p : a)
+  {
+    shared += std::find(b.begin(), b.end(), p) != b.end() ? 1 : 0;
+  }
+  return shared;
+}
+
+/** Whether two triangles that share an edge lie nearly on each other, within 5 degrees. */
+bool
+IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
+{
+  constexpr double least = 0.996;
+  PointId          ends[2] = { -1, -1 };
+  PointId          apexA = -1;
+  PointId          apexB = -1;
+  int              n = 0;
+  for (const PointId p : a)
+  {
+    if (std::find(b.begin(), b.end(), p) == b.end())
+    {
+      apexA = p;
+    }
+    else if (n < 2)
+    {
+      ends[n++] = p;
+    }
+  }
+  for (const PointId p : b)
+  {
+    apexB = p != ends[0] && p != ends[1] ? p : apexB;
+  }
+  if (n < 2 || apexA < 0 || apexB < 0)
+  {
+    return false;
+  }
+  const Point axis = Normalized(points[ends[1]] - points[ends[0]]);
+  const auto  across = [&](PointId apex) {
+    const Point v = points[apex] - points[ends[0]];
+    return Normalized(v - Dot(v, axis) * axis);
+  };
+  return Dot(across(apexA), across(apexB)) > least;
+}
+
+bool
+IsFaulty(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
+{
+  return CountShared(a, b) > 1 ? IsFolded(points, a, b) : TrianglesCross(points, a, b);
+}
+
+/** The given items for which the test holds, in their order. */
+template <typename TTest>
+std::vector<std::size_t>
+Select(std::size_t count, const TTest & test, const ParallelFor & parallelFor)
+{
+  constexpr std::size_t                 chunk = 4096;
+  std::vector<std::vector<std::size_t>> found((count + chunk - 1) / chunk);
+  RunFor(parallelFor, found.size(), [&](std::size_t c) {
+    for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+    {
+      if (test(i))
+      {
+        found[c].push_back(i);
+      }
+    }
+  });
+  std::vector<std::size_t> all;
+  for (const auto & part : found)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+} // namespace
+
+std::vector<TrianglePair>
+CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
+                  bool movedOnly, const ParallelFor & parallelFor)
+{
+  if (mesh.triangles.empty())
+  {
+    return {};
+  }
+  std::vector<Box>           boxes(mesh.triangles.size());
+  std::vector<unsigned char> isMoved(mesh.triangles.size(), movedOnly ? 0 : 1);
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+  {
+    const Triangle & triangle = mesh.triangles[t];
+    boxes[t] = { here[triangle[0]], here[triangle[0]] };
+    for (const PointId p : triangle)
+    {
+      Extend(boxes[t], here[p]);
+      Extend(boxes[t], there[p]);
+      if (here[p] != there[p])
+      {
+        isMoved[t] = 1;
+      }
+    }
+  }
+  const BoxGrid                          grid(boxes);
+  std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
+  RunFor(parallelFor, found.size(), [&](std::size_t layer) {
+    grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {
+      if (isMoved[a] != 0 || isMoved[b] != 0)
+      {
+        found[layer].push_back({ { a, b } });
+      }
+    });
+  });
+  std::vector<TrianglePair> pairs;
+  for (const auto & part : found)
+  {
+    pairs.insert(pairs.end(), part.begin(), part.end());
+  }
+  return pairs;
+}
+
+std::vector<TrianglePair>
+FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
+{
+  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, false, parallelFor);
+  std::vector<TrianglePair> crossings;
+  const auto                test = [&](std::size_t i) {
+    return TrianglesCross(mesh.points, mesh.triangles[close[i][0]], mesh.triangles[close[i][1]]);
+  };
+  for (const std::size_t i : Select(close.size(), test, parallelFor))
+  {
+    crossings.push_back(close[i]);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+std::int64_t
+StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
+                      const ParallelFor & parallelFor)
+{
+  const std::vector<Point>        target = mesh.points;
+  const std::vector<TrianglePair> pairs = CollectClosePairs(mesh, before, target, true, parallelFor);
+  // The number of steps back that each point took.
+  std::vector<std::size_t>   level(mesh.points.size(), 0);
+  std::vector<unsigned char> isChanged(mesh.triangles.size(), 1);
+  std::vector<unsigned char> pointChanged(mesh.points.size(), 0);
+  while (true)
+  {
+    const auto isFault = [&](std::size_t i) {
+      const auto & [a, b] = pairs[i];
+      return (isChanged[a] != 0 || isChanged[b] != 0) && IsFaulty(mesh.points, mesh.triangles[a], mesh.triangles[b]);
+    };
+    std::fill(pointChanged.begin(), pointChanged.end(), 0);
+    bool isAny = false;
+    for (const std::size_t i : Select(pairs.size(), isFault, parallelFor))
+    {
+      for (const std::int32_t t : pairs[i])
+      {
+        for (const PointId p : mesh.triangles[t])
+        {
+          if (pointChanged[p] == 0 && level[p] < shares.size() && target[p] != before[p])
+          {
+            pointChanged[p] = 1;
+            const double share = shares[level[p]++];
+            mesh.points[p] = share > 0.0 ? before[p] + share * (target[p] - before[p]) : before[p];
+            isAny = true;
+          }
+        }
+      }
+    }
+    if (!isAny)
+    {
+      break;
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      const Triangle & triangle = mesh.triangles[t];
+      isChanged[t] = pointChanged[triangle[0]] | pointChanged[triangle[1]] | pointChanged[triangle[2]];
+    }
+  }
+  return std::count_if(level.begin(), level.end(), [](std::size_t l) { return l > 0; });
+}
+} // namespace tissue

@@ -1,0 +1,231 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/WallFitting.h"
+
+#include "TissueTessellationCore/CornerFitting.h"
+#include "TissueTessellationCore/CrossingGuard.h"
+#include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/LineSubdivision.h"
+#include "TissueTessellationCore/TriangleImprovement.h"
+#include "TissueTessellationCore/Untangling.h"
+#include "TissueTessellationCore/Vector.h"
+#include "TissueTessellationCore/VolumeFitting.h"
+#include "TissueTessellationCore/WallEdgeLengths.h"
+#include "TissueTessellationCore/WallProjection.h"
+#include "TissueTessellationCore/WallRemeshing.h"
+
+#include <algorithm>
+#include <set>
+
+namespace tissue
+{
+namespace
+{
+constexpr int    UntanglingSweeps = 60;
+constexpr double VolumeShare = 0.04;
+constexpr double SizeExponent = 0.5;
+constexpr int    StarRounds = 8;
+/** Rounds between the first, second and third remeshing, and after it. */
+constexpr int             RoundsPerMeshing[] = { 6, 3, 5 };
+constexpr int             LastVolumeSteps = 3;
+const std::vector<double> GuardShares = { 0.3, 0.0 };
+const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
+
+std::vector<WallId>
+CrossingWalls(const WallMesh & mesh, const ParallelFor & parallelFor)
+{
+  std::set<WallId> walls;
+  for (const TrianglePair & pair : FindCrossings(mesh, parallelFor))
+  {
+    walls.insert({ mesh.wallOfTriangle[pair[0]], mesh.wallOfTriangle[pair[1]] });
+  }
+  return { walls.begin(), walls.end() };
+}
+
+class Fitter
+{
+public:
+  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor)
+    : m_Junctions(junctions)
+    , m_Field(volume)
+    , m_ParallelFor(parallelFor)
+  {
+    for (const Cell & cell : junctions.cells)
+    {
+      m_Volumes.push_back(cell.volume);
+    }
+    m_Volumes[ExteriorVertex] = 0.0;
+  }
+
+  WallMesh
+  MakeStar(const AdjacencyComplex & complex, WallFittingStatistics & statistics)
+  {
+    WallMesh mesh =
+      TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &statistics.unfittedCorners)));
+    statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
+    statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
+    statistics.untangledPairs -= statistics.crossingPairs;
+    const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
+    m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
+    this->LiftCenters(mesh);
+    return mesh;
+  }
+
+  void
+  FitStar(WallMesh & mesh) const
+  {
+    for (int round = 0; round < StarRounds; ++round)
+    {
+      this->VolumeStep(mesh);
+    }
+  }
+
+  void
+  FitRemeshed(WallMesh & mesh, const LabelVolume & volume, double trianglesPerCell, WallFittingStatistics & statistics)
+  {
+    const double        wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
+    const ImageFaces    faces(volume, mesh.walls);
+    std::vector<double> lengths;
+    for (const int rounds : RoundsPerMeshing)
+    {
+      if (lengths.empty())
+      {
+        lengths = this->RemeshStar(mesh, wanted, statistics);
+      }
+      else
+      {
+        this->RemeshAgain(mesh, wanted, lengths);
+      }
+      const WallProjection projection(mesh, m_Junctions, m_Field, faces, lengths, m_Anchors);
+      for (int round = 0; round < rounds; ++round)
+      {
+        const std::vector<Point> before = mesh.points;
+        projection.Move(mesh, m_ParallelFor);
+        ImproveTriangles(mesh, 1, m_ParallelFor);
+        FitVolumes(mesh, m_Volumes, VolumeShare);
+        StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+      }
+    }
+    for (int step = 0; step < LastVolumeSteps; ++step)
+    {
+      this->VolumeStep(mesh);
+    }
+  }
+
+private:
+  /** Each wall's centre goes towards the centroid of the image's wall, as far as nothing crosses. */
+  void
+  LiftCenters(WallMesh & mesh) const
+  {
+    const std::vector<Point> before = mesh.points;
+    const std::size_t        first = mesh.points.size() - mesh.walls.size();
+    for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+    {
+      VertexPair key = mesh.walls[w].cells;
+      std::sort(key.begin(), key.end());
+      const auto at = std::lower_bound(m_Junctions.walls.begin(),
+                                       m_Junctions.walls.end(),
+                                       key,
+                                       [](const Wall & wall, const VertexPair & k) { return wall.cells < k; });
+      if (at != m_Junctions.walls.end() && at->cells == key)
+      {
+        mesh.points[first + w] = at->center;
+      }
+    }
+    StepBackFromCrossings(mesh, before, LiftShares, m_ParallelFor);
+  }
+
+  void
+  VolumeStep(WallMesh & mesh) const
+  {
+    const std::vector<Point> before = mesh.points;
+    FitVolumes(mesh, m_Volumes, VolumeShare);
+    StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+  }
+
+  std::vector<double>
+  RemeshStar(WallMesh & mesh, double wanted, WallFittingStatistics & statistics) const
+  {
+    const std::vector<double> factors = EdgeLengthFactorsByCell(mesh, m_Volumes, SizeExponent);
+    WallMesh                  star = mesh;
+    const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_ParallelFor);
+    SubdivideLines(star, lengths);
+    statistics.starWalls = this->PutBackCrossingWalls(mesh, star);
+    return lengths;
+  }
+
+  /** Within the lines as they are; the walls' areas have changed, and so does the number of triangles of a length. */
+  void
+  RemeshAgain(WallMesh & mesh, double wanted, std::vector<double> & lengths) const
+  {
+    const WallMesh old = mesh;
+    RemeshWalls(mesh, lengths, m_ParallelFor);
+    const double ratio = static_cast<double>(mesh.triangles.size()) / wanted;
+    if (std::abs(ratio - 1.0) > 0.02)
+    {
+      for (double & length : lengths)
+      {
+        length *= std::sqrt(ratio);
+      }
+      mesh = old;
+      RemeshWalls(mesh, lengths, m_ParallelFor);
+    }
+    this->PutBackCrossingWalls(mesh, old);
+  }
+
+  /** Walls that cross get their old triangles back, until none does. */
+  std::int64_t
+  PutBackCrossingWalls(WallMesh & mesh, const WallMesh & old) const
+  {
+    std::set<WallId> putBack;
+    while (true)
+    {
+      std::vector<WallId> walls;
+      for (const WallId wall : CrossingWalls(mesh, m_ParallelFor))
+      {
+        if (putBack.insert(wall).second)
+        {
+          walls.push_back(wall);
+        }
+      }
+      if (walls.empty())
+      {
+        return static_cast<std::int64_t>(putBack.size());
+      }
+      ReplaceWalls(mesh, old, walls);
+    }
+  }
+
+  const JunctionSet & m_Junctions;
+  IndicatorField      m_Field;
+  const ParallelFor & m_ParallelFor;
+  std::vector<double> m_Volumes;
+  /** Where the corners are fitted and apart. */
+  std::vector<Point> m_Anchors;
+};
+} // namespace
+
+WallMesh
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         double trianglesPerCell, WallFittingStatistics * statistics, const ParallelFor & parallelFor)
+{
+  WallFittingStatistics   own;
+  WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
+  Fitter                  fitter(junctions, volume, parallelFor);
+  WallMesh                mesh = fitter.MakeStar(complex, s);
+  if (trianglesPerCell > 0.0)
+  {
+    fitter.FitRemeshed(mesh, volume, trianglesPerCell, s);
+  }
+  else
+  {
+    fitter.FitStar(mesh);
+  }
+  s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, parallelFor).size());
+  return mesh;
+}
+} // namespace tissue
