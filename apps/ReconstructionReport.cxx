@@ -6,9 +6,12 @@
  *=========================================================================*/
 #include "ReconstructionReport.h"
 
+#include "TissueTessellationCore/TriangleQuality.h"
+
 #include <itkMultiThreaderBase.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <iomanip>
 #include <map>
 
@@ -81,16 +84,38 @@ CollectNotes(const ReconstructionReport & report)
   return notes;
 }
 
+/** Mean of the cells' relative difference from their volume in the image. */
+double
+MeanVolumeError(const ReconstructionReport & report)
+{
+  const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
+  double                    sum = 0.0;
+  for (std::size_t v = 1; v < cells.size(); ++v)
+  {
+    sum += std::abs(report.check.cells[v].volume / cells[v].volume - 1.0);
+  }
+  return sum / static_cast<double>(cells.size() - 1);
+}
+
 Json
 MeshToJson(const ReconstructionReport & report)
 {
   const WallMesh &          mesh = report.reconstruction.walls;
   const CellSurfaceCheck &  check = report.check;
   const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
+  const QualitySummary      quality = SummarizeTriangleQuality(mesh);
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
            { "parts", report.reconstruction.numberOfParts },
            { "walls", mesh.walls.size() },
+           { "fitted", report.reconstruction.isFitted },
+           { "cornersNotFitted", report.reconstruction.fitting.unfittedCorners },
+           { "untangledPairs", report.reconstruction.fitting.untangledPairs },
+           { "crossingPairs", report.reconstruction.fitting.crossingPairs },
+           { "starWalls", report.reconstruction.fitting.starWalls },
+           { "meanVolumeError", MeanVolumeError(report) },
+           { "triangleQuality",
+             { { "mean", quality.mean }, { "fifthPercentile", quality.fifthPercentile }, { "least", quality.least } } },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
            { "pointsWithMoreThanFourCells", check.crowdedPoints.size() },
            { "degenerateTriangles", check.numberOfDegenerateTriangles },

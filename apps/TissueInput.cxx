@@ -16,6 +16,7 @@
 
 #include "itkLabelGapClosingImageFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
+#include "itkLabelVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -270,6 +271,10 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
   input.exteriorLabel = extraction->GetUsedExteriorLabel();
   input.junctions = extraction->GetOutput();
   input.junctions->DisconnectPipeline();
+  if (options.parameters.fitToImage)
+  {
+    input.volume = itk::MakeLabelVolume(image.GetPointer(), input.junctions->GetJunctionSet());
+  }
   input.extractSeconds = stopwatch.Lap();
 }
 } // namespace

@@ -9,6 +9,7 @@
 
 #include "ProgressBar.h"
 #include "TissueTessellationOptions.h"
+#include "TissueTessellationCore/LabelVolume.h"
 #include "itkTissueJunctions.h"
 
 namespace tissue
@@ -17,11 +18,13 @@ namespace tissue
 struct TissueInput
 {
   itk::TissueJunctions::Pointer junctions;
-  std::string                   pixelType;
-  std::array<std::size_t, 3>    size{};
-  std::array<double, 3>         spacing{};
-  Label                         exteriorLabel = 0;
-  std::vector<std::string>      warnings;
+  /** The labels that the walls are fitted to; none if they are not. */
+  std::shared_ptr<const LabelVolume> volume;
+  std::string                        pixelType;
+  std::array<std::size_t, 3>         size{};
+  std::array<double, 3>              spacing{};
+  Label                              exteriorLabel = 0;
+  std::vector<std::string>           warnings;
 
   /** Of the gaps closed; 0 without. Widths and distances are in the image's units. */
   double      closedGapWidth = 0.0;

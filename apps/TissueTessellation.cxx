@@ -105,6 +105,8 @@ Reconstruct(const TissueTessellationOptions & options, ProgressBar & progress)
   const auto filter = itk::JunctionsToCellWallMeshFilter::New();
   filter->SetInput(result.input.junctions);
   filter->SetParameters(options.parameters);
+  filter->SetLabelVolume(result.input.volume);
+  result.input.volume.reset();
   progress.Begin("Optimizing the complex");
   progress.Observe(filter);
   filter->Update();

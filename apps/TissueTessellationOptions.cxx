@@ -150,7 +150,11 @@ AddMethodOptions(CLI::App & app, ReconstructionParameters & p)
   AddParameter(app, "--neighborWeight", p.energy.neighborWeight, "Weight of the prior on the numbers of neighbours");
   AddParameter(app, "--lengthWeight", p.energy.lengthWeight, "Weight of the longest edges");
   AddNamedParameter(app, "--corners", p.corners, CornerNames, "Where the cells' corners come from");
-  AddParameter(app, "--refinement", p.refinement, "Times that each triangle is split in four, 0 .. 3");
+  AddParameter(app, "--triangles", p.trianglesPerCell, "Wanted triangles a cell, each counted once, 40 .. 10000");
+  AddParameter(app,
+               "--refinement",
+               p.refinement,
+               "0: the walls are stars; without a fit the times that each triangle is split in four, 0 .. 3");
   AddParameter(app, "--smoothingIterations", p.smoothingIterations, "Iterations of the walls' smoothing");
   // Above 2^53 a number of a JSON report may be read as another.
   app.add_option("--seed", p.annealing.seed, "Seed of the annealing")
@@ -255,6 +259,7 @@ ToJson(const TissueTessellationOptions & options)
   json["neighborWeight"] = p.energy.neighborWeight;
   json["lengthWeight"] = p.energy.lengthWeight;
   json["corners"] = NameOf(CornerNames, p.corners);
+  json["triangles"] = p.trianglesPerCell;
   json["refinement"] = p.refinement;
   json["smoothingIterations"] = p.smoothingIterations;
   json["seed"] = p.annealing.seed;

@@ -70,7 +70,14 @@ public:
   int
   GetNumberOfCycles() const;
 
-  /** Times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. */
+  /** Triangles of the fitted walls a cell, each counted once, 40 .. 10000; default 150. */
+  void
+  SetTrianglesPerCell(double number);
+  double
+  GetTrianglesPerCell() const;
+
+  /** Times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. At 0, walls that are
+   * fitted to an image are the fitted stars. */
   void
   SetRefinement(int levels);
   int

@@ -67,6 +67,12 @@ CellWallMeshSource::SetNumberOfCycles(int cycles)
 }
 
 inline void
+CellWallMeshSource::SetTrianglesPerCell(double number)
+{
+  this->Change([number](tissue::ReconstructionParameters & p) { p.trianglesPerCell = number; });
+}
+
+inline void
 CellWallMeshSource::SetRefinement(int levels)
 {
   this->Change([levels](tissue::ReconstructionParameters & p) { p.refinement = levels; });
@@ -94,6 +100,12 @@ inline int
 CellWallMeshSource::GetNumberOfCycles() const
 {
   return m_Parameters->annealing.numberOfCycles;
+}
+
+inline double
+CellWallMeshSource::GetTrianglesPerCell() const
+{
+  return m_Parameters->trianglesPerCell;
 }
 
 inline int
@@ -133,6 +145,7 @@ CellWallMeshSource::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Seed: " << m_Parameters->annealing.seed << std::endl;
   os << indent << "MaximumEdgeLength: " << m_Parameters->maximumEdgeLength << std::endl;
   os << indent << "NumberOfCycles: " << m_Parameters->annealing.numberOfCycles << std::endl;
+  os << indent << "TrianglesPerCell: " << m_Parameters->trianglesPerCell << std::endl;
   os << indent << "Refinement: " << m_Parameters->refinement << std::endl;
   os << indent << "SmoothingIterations: " << m_Parameters->smoothingIterations << std::endl;
 }

@@ -9,6 +9,11 @@
 
 #include "itkCellWallMeshSource.h"
 
+namespace tissue
+{
+struct LabelVolume;
+}
+
 namespace itk
 {
 class TissueJunctions;
@@ -48,12 +53,22 @@ public:
   const TissueJunctions *
   GetInput() const;
 
+#ifndef ITK_WRAPPING_PARSER
+  /** The label image of the junctions (itkLabelVolume.h): the walls are fitted to it. Without one they are smoothed
+   * stars. For C++. */
+  void
+  SetLabelVolume(std::shared_ptr<const tissue::LabelVolume> volume);
+#endif
+
 protected:
   JunctionsToCellWallMeshFilter();
   ~JunctionsToCellWallMeshFilter() override = default;
 
   void
   GenerateData() override;
+
+private:
+  std::shared_ptr<const tissue::LabelVolume> m_LabelVolume;
 };
 } // namespace itk
 

@@ -10,6 +10,7 @@
 #include "itkJunctionsToCellWallMeshFilter.h"
 
 #include "TissueTessellationCore/TissueReconstruction.h"
+#include "itkCoreParallelFor.h"
 #include "itkTissueJunctions.h"
 
 namespace itk
@@ -32,6 +33,13 @@ JunctionsToCellWallMeshFilter::GetInput() const
 }
 
 inline void
+JunctionsToCellWallMeshFilter::SetLabelVolume(std::shared_ptr<const tissue::LabelVolume> volume)
+{
+  m_LabelVolume = std::move(volume);
+  this->Modified();
+}
+
+inline void
 JunctionsToCellWallMeshFilter::GenerateData()
 {
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
@@ -41,8 +49,8 @@ JunctionsToCellWallMeshFilter::GenerateData()
   };
   try
   {
-    const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(
-      tissue::ReconstructTissue(*junctions, this->GetParameters(), progress));
+    const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(tissue::ReconstructTissue(
+      *junctions, this->GetParameters(), progress, m_LabelVolume.get(), MakeParallelFor(this)));
     this->GetOutput()->SetReconstruction(junctions, reconstruction);
   }
   catch (const tissue::Aborted &)

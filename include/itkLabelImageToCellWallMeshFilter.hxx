@@ -9,8 +9,10 @@
 
 #include "itkLabelImageToCellWallMeshFilter.h"
 
+#include "TissueTessellationCore/ReconstructionParameters.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
+#include "itkLabelVolume.h"
 #include "itkProgressAccumulator.h"
 
 namespace itk
@@ -71,8 +73,14 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
   const auto reconstruction = JunctionsToCellWallMeshFilter::New();
   reconstruction->SetInput(extraction->GetOutput());
   reconstruction->SetParameters(this->GetParameters());
+  reconstruction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(reconstruction, 0.7f);
 
+  extraction->Update();
+  if (this->GetParameters().fitToImage)
+  {
+    reconstruction->SetLabelVolume(MakeLabelVolume(this->GetInput(), extraction->GetOutput()->GetJunctionSet()));
+  }
   reconstruction->Update();
   this->GetOutput()->Graft(reconstruction->GetOutput());
 }

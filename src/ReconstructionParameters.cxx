@@ -48,6 +48,7 @@ ReconstructionParameters::PaperPreset()
   parameters.energy = EnergyParameters();
   parameters.annealing = AnnealingParameters();
   parameters.corners = CornerRule::ProjectedCircumcenter;
+  parameters.fitToImage = false;
   return parameters;
 }
 
@@ -67,6 +68,7 @@ ReconstructionParameters::Check() const
   CheckRange("initialTemperature", annealing.initialTemperature, 1e-9, large);
   CheckRange("coolingFactor", annealing.coolingFactor, 1e-9, 1.0);
   CheckRange("maximumDegree", annealing.maximumDegree, 3.0, large);
+  CheckRange("trianglesPerCell", trianglesPerCell, 40.0, 10000.0);
   CheckRange("refinement", refinement, 0.0, 3.0);
   CheckRange("smoothingIterations", smoothingIterations, 0.0, 10000.0);
 }

@@ -125,7 +125,7 @@ MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const
 
 TissueReconstruction
 ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
-                  const ProgressFunction & progress)
+                  const ProgressFunction & progress, const LabelVolume * volume, const ParallelFor & parallelFor)
 {
   parameters.Check();
   TissueReconstruction     result;
@@ -169,7 +169,10 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   result.optimized = finishStage(complex);
 
   result.tetrahedra = complex.GetTetrahedra();
-  result.walls = MakeWalls(complex, junctions, parameters);
+  result.isFitted = volume != nullptr && parameters.fitToImage;
+  const double trianglesPerCell = parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0;
+  result.walls = result.isFitted ? FitWalls(complex, junctions, *volume, trianglesPerCell, &result.fitting, parallelFor)
+                                 : MakeWalls(complex, junctions, parameters);
   for (const VertexId cell : parts.strayCells)
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });

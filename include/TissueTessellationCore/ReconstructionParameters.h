@@ -31,9 +31,14 @@ struct ReconstructionParameters
   AnnealingParameters annealing;
 
   CornerRule corners = CornerRule::ImageJunction;
-  /** Times that every triangle of the stars is split in four; 0 .. 3. */
+  /** Whether the walls are fitted to the label image, where there is one (WallFitting.h); else they are smoothed stars.
+   */
+  bool fitToImage = true;
+  /** Of the fitted walls: the wanted number, each counted once; 40 .. 10000. */
+  double trianglesPerCell = 150.0;
+  /** Times that every triangle of the stars is split in four; 0 .. 3. Fitted walls at 0 are the fitted stars. */
   int refinement = 1;
-  /** Iterations of the smoothing; 0 or more. */
+  /** Iterations of the smoothing; 0 or more. Fitted walls have none. */
   int smoothingIterations = 10;
 
   ReconstructionParameters();

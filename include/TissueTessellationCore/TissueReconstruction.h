@@ -12,7 +12,7 @@
 #include "TissueTessellationCore/JunctionSet.h"
 #include "TissueTessellationCore/ReconstructionParameters.h"
 #include "TissueTessellationCore/SurfaceCleanUp.h"
-#include "TissueTessellationCore/WallMesh.h"
+#include "TissueTessellationCore/WallFitting.h"
 
 namespace tissue
 {
@@ -35,6 +35,9 @@ struct TissueReconstruction
   ReconstructionStage cleaned;
   ReconstructionStage optimized;
   double              dualSeconds = 0.0;
+  /** Whether the walls are fitted to a label image, and how that went. */
+  bool                  isFitted = false;
+  WallFittingStatistics fitting;
 
   /** Parts of the tissue that share no junction: the exterior's link has as many spheres. */
   std::size_t numberOfParts = 1;
@@ -53,13 +56,17 @@ struct TissueReconstruction
  * Delaunay, clean-up, optimization, dual. Parts of the tissue that share no junction (TissueParts.h) have a complex
  * each.
  *
+ * With the `volume` that the junctions come from, the walls are fitted to it unless the parameters say otherwise. What is
+ * done by `parallelFor` is the same for any number of threads.
+ *
  * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. Cells with the same
  * centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. \throws
  * std::invalid_argument for parameters out of range, fewer than four cells, and cells whose centres are coplanar.
  * \throws Aborted where `progress` asks to stop. */
 TissueReconstruction
 ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
-                  const ProgressFunction & progress = ProgressFunction());
+                  const ProgressFunction & progress = ProgressFunction(), const LabelVolume * volume = nullptr,
+                  const ParallelFor & parallelFor = ParallelFor());
 } // namespace tissue
 
 #endif
