@@ -26,12 +26,12 @@ namespace tissue
 namespace
 {
 constexpr int    UntanglingSweeps = 60;
-constexpr double VolumeShare = 0.04;
-constexpr double SizeExponent = 0.5;
+constexpr double VolumeShare = 0.15;
+constexpr double SizeExponent = 0.25;
 constexpr int    StarRounds = 8;
 /** Rounds between the first, second and third remeshing, and after it. */
 constexpr int             RoundsPerMeshing[] = { 6, 3, 5 };
-constexpr int             LastVolumeSteps = 3;
+constexpr int             LastVolumeSteps = 6;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
@@ -44,6 +44,17 @@ CrossingWalls(const WallMesh & mesh, const ParallelFor & parallelFor)
     walls.insert({ mesh.wallOfTriangle[pair[0]], mesh.wallOfTriangle[pair[1]] });
   }
   return { walls.begin(), walls.end() };
+}
+
+double
+AreaOf(const WallMesh & mesh)
+{
+  double area = 0.0;
+  for (const auto & t : mesh.triangles)
+  {
+    area += 0.5 * Norm(Cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]));
+  }
+  return area;
 }
 
 class Fitter
@@ -88,19 +99,21 @@ public:
   FitRemeshed(WallMesh & mesh, const LabelVolume & volume, double trianglesPerCell, WallFittingStatistics & statistics)
   {
     const double        wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
-    const ImageFaces    faces(volume, mesh.walls);
+    const ImagePlaces   faces = CollectImageFaces(volume, mesh.walls);
     std::vector<double> lengths;
+    double              area = 0.0;
     for (const int rounds : RoundsPerMeshing)
     {
       if (lengths.empty())
       {
         lengths = this->RemeshStar(mesh, wanted, statistics);
+        area = AreaOf(mesh);
       }
       else
       {
-        this->RemeshAgain(mesh, wanted, lengths);
+        this->RemeshAgain(mesh, wanted, lengths, area);
       }
-      const WallProjection projection(mesh, m_Junctions, m_Field, faces, lengths, m_Anchors);
+      const WallProjection projection(mesh, volume, m_Field, faces, lengths, m_Anchors);
       for (int round = 0; round < rounds; ++round)
       {
         const std::vector<Point> before = mesh.points;
@@ -160,20 +173,17 @@ private:
 
   /** Within the lines as they are; the walls' areas have changed, and so does the number of triangles of a length. */
   void
-  RemeshAgain(WallMesh & mesh, double wanted, std::vector<double> & lengths) const
+  RemeshAgain(WallMesh & mesh, double wanted, std::vector<double> & lengths, double & area) const
   {
     const WallMesh old = mesh;
-    RemeshWalls(mesh, lengths, m_ParallelFor);
-    const double ratio = static_cast<double>(mesh.triangles.size()) / wanted;
-    if (std::abs(ratio - 1.0) > 0.02)
+    const double   ratio = static_cast<double>(old.triangles.size()) / wanted;
+    const double   growth = AreaOf(mesh) / area;
+    for (double & length : lengths)
     {
-      for (double & length : lengths)
-      {
-        length *= std::sqrt(ratio);
-      }
-      mesh = old;
-      RemeshWalls(mesh, lengths, m_ParallelFor);
+      length *= std::sqrt(ratio * growth);
     }
+    area = AreaOf(mesh);
+    RemeshWalls(mesh, lengths, m_ParallelFor);
     this->PutBackCrossingWalls(mesh, old);
   }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace tissue
 {
@@ -18,52 +19,70 @@ namespace
 /** The spline's support, beyond which the cells' indicators tell nothing. */
 constexpr double      Reach = 3.0;
 constexpr double      CornerShare = 0.5;
-constexpr std::size_t Chunk = 512;
+constexpr std::size_t GroupsPerTask = 64;
 
-bool
-HasLine(const JunctionSet & junctions, const VertexTriple & cells)
-{
-  const auto at = std::lower_bound(junctions.tripleLines.begin(),
-                                   junctions.tripleLines.end(),
-                                   cells,
-                                   [](const TripleLine & line, const VertexTriple & key) { return line.cells < key; });
-  return at != junctions.tripleLines.end() && at->cells == cells;
-}
-
-/** The image faces nearest to a point, of those of its wall. */
-struct NearFaces
+/** The places of the image that are nearer to a point than to the others of its group. */
+struct NearPlaces
 {
   Point        sum{ { 0.0, 0.0, 0.0 } };
   double       distance = 0.0;
   std::int64_t count = 0;
 };
-} // namespace
 
-WallProjection::WallProjection(const WallMesh & mesh, const JunctionSet & junctions, const IndicatorField & field,
-                               const ImageFaces & faces, const std::vector<double> & edgeLengths,
-                               const std::vector<Point> & corners)
-  : m_Field(field)
-  , m_Faces(faces)
-  , m_EdgeLengths(edgeLengths)
-  , m_Corners(corners)
-  , m_LineCells(mesh.points.size(), VertexTriple{ { -1, -1, -1 } })
-  , m_Inner(mesh.walls.size())
+Point
+ToPoint(const ImagePlaces::Place & place)
 {
-  std::vector<unsigned char> isDone(mesh.points.size(), 0);
+  return { { place[0], place[1], place[2] } };
+}
+
+std::vector<NearPlaces>
+Assign(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const std::vector<PointId> & group,
+       const std::vector<Point> & points)
+{
+  std::vector<NearPlaces> near(group.size());
+  for (const ImagePlaces::Place * at = begin; at != end; ++at)
+  {
+    const Point place = ToPoint(*at);
+    double      least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      const Point  v = place - points[group[i]];
+      const double squared = Dot(v, v);
+      if (squared < least)
+      {
+        least = squared;
+        nearest = i;
+      }
+    }
+    near[nearest].sum = near[nearest].sum + place;
+    near[nearest].distance += std::sqrt(least);
+    ++near[nearest].count;
+  }
+  return near;
+}
+
+Point
+Nearest(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const Point & p)
+{
+  return ToPoint(*std::min_element(begin, end, [&p](const ImagePlaces::Place & a, const ImagePlaces::Place & b) {
+    return Distance(ToPoint(a), p) < Distance(ToPoint(b), p);
+  }));
+}
+
+/** The cells at each point of a line. */
+std::map<PointId, VertexTriple>
+CellsOfLinePoints(const WallMesh & mesh)
+{
+  std::map<PointId, VertexTriple> cellsOf;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const WallId wall = mesh.wallOfTriangle[t];
     for (const PointId p : mesh.triangles[t])
     {
-      if (mesh.numberOfCells[p] == CellsWithinWall && isDone[p] == 0)
+      if (mesh.numberOfCells[p] == CellsOnLine)
       {
-        isDone[p] = 1;
-        m_Inner[wall].push_back(p);
-      }
-      else if (mesh.numberOfCells[p] == CellsOnLine)
-      {
-        VertexTriple & cells = m_LineCells[p];
-        for (const VertexId v : mesh.walls[wall].cells)
+        VertexTriple & cells = cellsOf.emplace(p, VertexTriple{ { -1, -1, -1 } }).first->second;
+        for (const VertexId v : mesh.walls[mesh.wallOfTriangle[t]].cells)
         {
           if (std::find(cells.begin(), cells.end(), v) == cells.end())
           {
@@ -73,96 +92,103 @@ WallProjection::WallProjection(const WallMesh & mesh, const JunctionSet & juncti
       }
     }
   }
-  for (VertexTriple & cells : m_LineCells)
+  for (auto & [p, cells] : cellsOf)
   {
     std::sort(cells.begin(), cells.end());
-    if (cells[0] >= 0 && !HasLine(junctions, cells))
+  }
+  return cellsOf;
+}
+} // namespace
+
+WallProjection::WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
+                               const ImagePlaces & faces, const std::vector<double> & edgeLengths,
+                               const std::vector<Point> & corners)
+  : m_Field(field)
+  , m_Corners(corners)
+  , m_Lines(0, {})
+  , m_Groups(mesh.walls.size())
+{
+  std::vector<unsigned char> isDone(mesh.points.size(), 0);
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    const VertexPair & cells = mesh.walls[w].cells;
+    m_Groups[w] = { { { cells[0], cells[1], -1, -1 } }, 2, edgeLengths[w], {}, faces.Begin(w), faces.End(w) };
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
     {
-      cells = { { -1, -1, -1 } };
+      if (mesh.numberOfCells[p] == CellsWithinWall && isDone[p] == 0)
+      {
+        isDone[p] = 1;
+        m_Groups[mesh.wallOfTriangle[t]].points.push_back(p);
+      }
     }
   }
-  for (const WallMesh::Wall & wall : mesh.walls)
+  this->CollectLines(mesh, volume, edgeLengths);
+}
+
+void
+WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume, const std::vector<double> & edgeLengths)
+{
+  std::map<VertexTriple, std::vector<PointId>> pointsOf;
+  for (const auto & [p, cells] : CellsOfLinePoints(mesh))
   {
-    m_WallCells.push_back(wall.cells);
+    pointsOf[cells].push_back(p);
+  }
+  std::vector<VertexTriple> lines;
+  for (const auto & line : pointsOf)
+  {
+    lines.push_back(line.first);
+  }
+  m_Lines = CollectImageLines(volume, lines);
+  std::map<VertexPair, double> lengthOf;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    VertexPair cells = mesh.walls[w].cells;
+    std::sort(cells.begin(), cells.end());
+    lengthOf[cells] = edgeLengths[w];
+  }
+  for (std::size_t l = 0; l < lines.size(); ++l)
+  {
+    const VertexTriple & c = lines[l];
+    const double         length =
+      std::min({ lengthOf[{ { c[0], c[1] } }], lengthOf[{ { c[0], c[2] } }], lengthOf[{ { c[1], c[2] } }] });
+    m_Groups.push_back({ { { c[0], c[1], c[2], -1 } }, 3, length, pointsOf[c], m_Lines.Begin(l), m_Lines.End(l) });
   }
 }
 
 void
 WallProjection::Move(WallMesh & mesh, const ParallelFor & parallelFor) const
 {
-  const std::size_t numberOfPoints = mesh.points.size();
-  RunFor(parallelFor, (numberOfPoints + Chunk - 1) / Chunk, [&](std::size_t c) {
-    this->MoveLinesAndCorners(mesh, c * Chunk, std::min(numberOfPoints, (c + 1) * Chunk));
-  });
-  constexpr std::size_t wallsPerTask = 64;
-  RunFor(parallelFor, (mesh.walls.size() + wallsPerTask - 1) / wallsPerTask, [&](std::size_t c) {
-    for (std::size_t w = c * wallsPerTask; w < std::min(mesh.walls.size(), (c + 1) * wallsPerTask); ++w)
-    {
-      this->MoveWall(mesh, static_cast<WallId>(w));
-    }
-  });
-}
-
-void
-WallProjection::MoveLinesAndCorners(WallMesh & mesh, std::size_t begin, std::size_t end) const
-{
-  for (std::size_t p = begin; p < end; ++p)
+  for (std::size_t p = 0; p < m_Corners.size(); ++p)
   {
-    if (p < m_Corners.size())
-    {
-      mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
-    }
-    else if (m_LineCells[p][0] >= 0)
-    {
-      const VertexTriple & cells = m_LineCells[p];
-      m_Field.Project(mesh.points[p], { { cells[0], cells[1], cells[2], -1 } }, 3, Reach);
-    }
+    mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
   }
+  RunFor(parallelFor, (m_Groups.size() + GroupsPerTask - 1) / GroupsPerTask, [&](std::size_t task) {
+    for (std::size_t g = task * GroupsPerTask; g < std::min(m_Groups.size(), (task + 1) * GroupsPerTask); ++g)
+    {
+      this->MoveGroup(m_Groups[g], mesh);
+    }
+  });
 }
 
 void
-WallProjection::MoveWall(WallMesh & mesh, WallId wall) const
+WallProjection::MoveGroup(const Group & group, WallMesh & mesh) const
 {
-  const ImageFaces::Center * const begin = m_Faces.Begin(wall);
-  const ImageFaces::Center * const end = m_Faces.End(wall);
-  const std::vector<PointId> &     inner = m_Inner[wall];
-  if (begin == end || inner.empty())
+  if (group.begin == group.end || group.points.empty())
   {
     return;
   }
-  std::vector<NearFaces> near(inner.size());
-  for (const ImageFaces::Center * face = begin; face != end; ++face)
+  const std::vector<NearPlaces> near = Assign(group.begin, group.end, group.points, mesh.points);
+  for (std::size_t i = 0; i < group.points.size(); ++i)
   {
-    const Point center{ { (*face)[0], (*face)[1], (*face)[2] } };
-    double      least = std::numeric_limits<double>::infinity();
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < inner.size(); ++i)
-    {
-      const Point  v = center - mesh.points[inner[i]];
-      const double squared = Dot(v, v);
-      if (squared < least)
-      {
-        least = squared;
-        nearest = i;
-      }
-    }
-    near[nearest].sum = near[nearest].sum + center;
-    near[nearest].distance += std::sqrt(least);
-    ++near[nearest].count;
-  }
-  const VertexPair & cells = m_WallCells[wall];
-  for (std::size_t i = 0; i < inner.size(); ++i)
-  {
-    Point &    p = mesh.points[inner[i]];
+    Point &    p = mesh.points[group.points[i]];
     const auto count = static_cast<double>(near[i].count);
-    const bool isFar = near[i].count > 0 && near[i].distance / count > m_EdgeLengths[wall];
-    if (isFar)
+    const bool isFar = near[i].count > 0 && near[i].distance > count * group.edgeLength;
+    if (isFar || !m_Field.Project(p, group.cells, group.numberOfCells, Reach))
     {
-      p = (1.0 / count) * near[i].sum;
-    }
-    else if (!m_Field.Project(p, { { cells[0], cells[1], -1, -1 } }, 2, Reach) && near[i].count > 0)
-    {
-      p = (1.0 / count) * near[i].sum;
+      p = near[i].count > 0 ? (1.0 / count) * near[i].sum : Nearest(group.begin, group.end, p);
     }
   }
 }

@@ -8,37 +8,51 @@
 #define TissueTessellationCore_ImageFaces_h
 
 #include "TissueTessellationCore/LabelVolume.h"
-#include "TissueTessellationCore/ParallelFor.h"
 #include "TissueTessellationCore/WallMesh.h"
 
 #include <vector>
 
 namespace tissue
 {
-/** \brief The voxel faces of a label image by the walls of a mesh: the centre of each, in physical space. */
-class ImageFaces
+/** \brief Places in a label image, in physical space, by the wall or line that they are of. */
+class ImagePlaces
 {
 public:
-  using Center = std::array<float, 3>;
+  using Place = std::array<float, 3>;
 
-  ImageFaces(const LabelVolume & volume, const std::vector<WallMesh::Wall> & walls);
-
-  const Center *
-  Begin(WallId wall) const
+  struct Entry
   {
-    return m_Centers.data() + m_First[wall];
+    std::size_t group;
+    Place       place;
+  };
+
+  ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & entries);
+
+  const Place *
+  Begin(std::size_t group) const
+  {
+    return m_Places.data() + m_First[group];
   }
 
-  const Center *
-  End(WallId wall) const
+  const Place *
+  End(std::size_t group) const
   {
-    return m_Centers.data() + m_First[wall + 1];
+    return m_Places.data() + m_First[group + 1];
   }
 
 private:
   std::vector<std::size_t> m_First;
-  std::vector<Center>      m_Centers;
+  std::vector<Place>       m_Places;
 };
+
+/** The centres of the voxel faces between the two cells of each wall. */
+ImagePlaces
+CollectImageFaces(const LabelVolume & volume, const std::vector<WallMesh::Wall> & walls);
+
+/** The centres of the voxel edges at which the three cells of each line meet; `lines` ascending, each line ascending,
+ * all different. */
+ImagePlaces
+CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & lines);
 } // namespace tissue
 
 #endif

@@ -9,41 +9,50 @@
 
 #include "TissueTessellationCore/ImageFaces.h"
 #include "TissueTessellationCore/IndicatorField.h"
-#include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/ParallelFor.h"
 
 namespace tissue
 {
 /** \brief Moves the points of a mesh to the image: points within a wall and on a line where the indicators of their two
  * or three cells are equal, corners halfway to their given places.
  *
- * A point of a wall that is far from the wall's image faces nearest to it, in the mean by more than the wall's edge
- * length, goes to their centroid. Points of walls and lines that the image has not stay. `edgeLengths` has a length for
- * each wall; `corners` are the places of the first points. The objects given must outlive this one; the mesh may change
- * in its points alone. */
+ * A point that is far from the image's faces (edges) of its wall (line) nearest to it, in the mean by more than the
+ * edge length, goes to their centroid, or to the nearest one, as does one that no indicator reaches: so bulging walls
+ * and curved lines are followed. Points of walls and lines that the image has not stay. */
 class WallProjection
 {
 public:
-  WallProjection(const WallMesh & mesh, const JunctionSet & junctions, const IndicatorField & field,
-                 const ImageFaces & faces, const std::vector<double> & edgeLengths, const std::vector<Point> & corners);
+  /** `edgeLengths` has a length for each wall, `corners` the places of the first points. The volume and the field must
+   * outlive this object. */
+  WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
+                 const ImagePlaces & faces, const std::vector<double> & edgeLengths,
+                 const std::vector<Point> & corners);
 
+  /** The mesh may have changed in its points alone. */
   void
   Move(WallMesh & mesh, const ParallelFor & parallelFor = ParallelFor()) const;
 
 private:
-  void
-  MoveLinesAndCorners(WallMesh & mesh, std::size_t begin, std::size_t end) const;
-  void
-  MoveWall(WallMesh & mesh, WallId wall) const;
+  /** Points that follow the same cells. */
+  struct Group
+  {
+    VertexQuadruple            cells = { { -1, -1, -1, -1 } };
+    int                        numberOfCells = 0;
+    double                     edgeLength = 0.0;
+    std::vector<PointId>       points;
+    const ImagePlaces::Place * begin = nullptr;
+    const ImagePlaces::Place * end = nullptr;
+  };
 
-  const IndicatorField &      m_Field;
-  const ImageFaces &          m_Faces;
-  const std::vector<double> & m_EdgeLengths;
-  const std::vector<Point> &  m_Corners;
-  /** The cells at each point of a line; -1 first where the image has no such line, or for another point. */
-  std::vector<VertexTriple> m_LineCells;
-  /** The points within each wall. */
-  std::vector<std::vector<PointId>> m_Inner;
-  std::vector<VertexPair>           m_WallCells;
+  void
+  CollectLines(const WallMesh & mesh, const LabelVolume & volume, const std::vector<double> & edgeLengths);
+  void
+  MoveGroup(const Group & group, WallMesh & mesh) const;
+
+  const IndicatorField &   m_Field;
+  const std::vector<Point> m_Corners;
+  ImagePlaces              m_Lines;
+  std::vector<Group>       m_Groups;
 };
 } // namespace tissue
 
