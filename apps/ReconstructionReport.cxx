@@ -247,6 +247,8 @@ DescribeReason(const std::string & reason)
     { "separated", "without a neighbour in the image" },
     { "strayPart", "in small parts that touch no other, joined to the nearest part by false walls" },
     { "volumeOff", "with less than half or more than twice their volume in the image" },
+    { "cornersNotFitted", "with corners that the image has not" },
+    { "volumeNotFitted", "more than 1 % off their volume in the image, as their walls cannot move further" },
     { "centerMoved", "moved, their centre being another cell's too" },
     { "exteriorLost", "at the exterior in the image, but not in the mesh" },
     { "exteriorGained", "at the exterior in the mesh, but not in the image" },

@@ -79,6 +79,10 @@ ToString(Remark remark)
       return "wallsGained";
     case Remark::VolumeOff:
       return "volumeOff";
+    case Remark::CornersNotFitted:
+      return "cornersNotFitted";
+    case Remark::VolumeNotFitted:
+      return "volumeNotFitted";
   }
   return "unknown";
 }
@@ -119,7 +123,11 @@ Describe(const CellRemark & remark)
     case Remark::WallsGained:
       text << "has " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has not";
       break;
+    case Remark::CornersNotFitted:
+      text << "has " << remark.value << (remark.value == 1.0 ? " corner" : " corners") << " that the image has not";
+      break;
     case Remark::VolumeOff:
+    case Remark::VolumeNotFitted:
       text << "has " << remark.value << " times its volume in the image";
       break;
   }

@@ -125,24 +125,20 @@ HasJunction(const JunctionSet & junctions, VertexQuadruple key)
 
 std::vector<Point>
 FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, const IndicatorField & field,
-           std::int64_t * numberOfUnfitted)
+           std::vector<std::size_t> * unfitted)
 {
   const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
   std::vector<Point>                 corners = ComputeCorners(complex, junctions, CornerRule::ImageJunction);
-  std::int64_t                       unfitted = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    if (!HasJunction(junctions, tetrahedra[i]) || !field.Project(corners[i], tetrahedra[i], 4, Reach))
+    const bool isFitted = HasJunction(junctions, tetrahedra[i]) && field.Project(corners[i], tetrahedra[i], 4, Reach);
+    if (!isFitted && unfitted != nullptr)
     {
-      ++unfitted;
+      unfitted->push_back(i);
     }
   }
   std::vector<CornerPair> lines = CollectLines(Dualize(complex, corners), tetrahedra);
   KeepApart(lines, field, corners);
-  if (numberOfUnfitted != nullptr)
-  {
-    *numberOfUnfitted = unfitted;
-  }
   return corners;
 }
 } // namespace tissue

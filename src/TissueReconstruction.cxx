@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 
 namespace tissue
@@ -22,8 +23,8 @@ namespace tissue
 namespace
 {
 /** Shares of the whole, for the progress. */
-constexpr double DelaunayShare = 0.1;
-constexpr double OptimizationShare = 0.7;
+constexpr double DelaunayShare = 0.05;
+constexpr double OptimizationShare = 0.15;
 
 class Stopwatch
 {
@@ -96,9 +97,10 @@ TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & center
 
 /** Names the cells whose volume is far from that in the image. */
 void
-RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, std::vector<CellRemark> & remarks)
+RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, bool isFitted, std::vector<CellRemark> & remarks)
 {
   constexpr double       most = 2.0;
+  constexpr double       fitted = 0.01;
   const CellSurfaceCheck check = CheckCellSurfaces(walls, static_cast<VertexId>(junctions.cells.size()));
   for (std::size_t v = ExteriorVertex + 1; v < junctions.cells.size(); ++v)
   {
@@ -106,6 +108,10 @@ RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, std::vector
     if (!(ratio >= 1.0 / most && ratio <= most))
     {
       remarks.push_back({ static_cast<VertexId>(v), Remark::VolumeOff, ratio });
+    }
+    else if (isFitted && std::abs(ratio - 1.0) > fitted)
+    {
+      remarks.push_back({ static_cast<VertexId>(v), Remark::VolumeNotFitted, ratio });
     }
   }
 }
@@ -170,14 +176,26 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
 
   result.tetrahedra = complex.GetTetrahedra();
   result.isFitted = volume != nullptr && parameters.fitToImage;
+  const double begin = DelaunayShare + OptimizationShare;
+  const auto   fitProgress = [&](double fraction) { return !progress || progress(begin + (1.0 - begin) * fraction); };
   const double trianglesPerCell = parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0;
-  result.walls = result.isFitted ? FitWalls(complex, junctions, *volume, trianglesPerCell, &result.fitting, parallelFor)
-                                 : MakeWalls(complex, junctions, parameters);
+  result.walls = result.isFitted
+                   ? FitWalls(complex, junctions, *volume, trianglesPerCell, &result.fitting, parallelFor, fitProgress)
+                   : MakeWalls(complex, junctions, parameters);
   for (const VertexId cell : parts.strayCells)
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });
   }
-  RemarkVolumes(result.walls, junctions, remarks);
+  RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
+  for (std::size_t v = ExteriorVertex + 1; v < result.fitting.unfittedCornersOfCell.size(); ++v)
+  {
+    if (result.fitting.unfittedCornersOfCell[v] > 0)
+    {
+      remarks.push_back({ static_cast<VertexId>(v),
+                          Remark::CornersNotFitted,
+                          static_cast<double>(result.fitting.unfittedCornersOfCell[v]) });
+    }
+  }
   result.remarks = CollectRemarks(complex, junctions);
   result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
   std::stable_sort(result.remarks.begin(), result.remarks.end(), [](const CellRemark & a, const CellRemark & b) {

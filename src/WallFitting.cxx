@@ -19,6 +19,7 @@
 #include "TissueTessellationCore/WallRemeshing.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace tissue
@@ -28,9 +29,11 @@ namespace
 constexpr int    UntanglingSweeps = 60;
 constexpr double VolumeShare = 0.15;
 constexpr double SizeExponent = 0.25;
+/** Of the time, for the progress. */
+constexpr double StarShare = 0.1;
 constexpr int    StarRounds = 8;
-/** Rounds between the first, second and third remeshing, and after it. */
-constexpr int             RoundsPerMeshing[] = { 6, 3, 5 };
+/** Rounds after the first, second and third remeshing. */
+constexpr int             RoundsPerMeshing[] = { 4, 2, 4 };
 constexpr int             LastVolumeSteps = 6;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
@@ -60,10 +63,12 @@ AreaOf(const WallMesh & mesh)
 class Fitter
 {
 public:
-  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor)
+  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor,
+         const ProgressFunction & progress)
     : m_Junctions(junctions)
     , m_Field(volume)
     , m_ParallelFor(parallelFor)
+    , m_Progress(progress)
   {
     for (const Cell & cell : junctions.cells)
     {
@@ -75,8 +80,18 @@ public:
   WallMesh
   MakeStar(const AdjacencyComplex & complex, WallFittingStatistics & statistics)
   {
-    WallMesh mesh =
-      TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &statistics.unfittedCorners)));
+    std::vector<std::size_t> unfitted;
+    WallMesh mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
+    const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+    statistics.unfittedCorners = static_cast<std::int64_t>(unfitted.size());
+    statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
+    for (const std::size_t corner : unfitted)
+    {
+      for (const VertexId v : tetrahedra[corner])
+      {
+        ++statistics.unfittedCornersOfCell[v];
+      }
+    }
     statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
     statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
     statistics.untangledPairs -= statistics.crossingPairs;
@@ -102,6 +117,9 @@ public:
     const ImagePlaces   faces = CollectImageFaces(volume, mesh.walls);
     std::vector<double> lengths;
     double              area = 0.0;
+    double              done = 0.0;
+    const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
+    Report(m_Progress, StarShare);
     for (const int rounds : RoundsPerMeshing)
     {
       if (lengths.empty())
@@ -121,6 +139,8 @@ public:
         ImproveTriangles(mesh, 1, m_ParallelFor);
         FitVolumes(mesh, m_Volumes, VolumeShare);
         StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+        done += 1.0;
+        Report(m_Progress, StarShare + (1.0 - StarShare) * done / all);
       }
     }
     for (int step = 0; step < LastVolumeSteps; ++step)
@@ -210,10 +230,11 @@ private:
     }
   }
 
-  const JunctionSet & m_Junctions;
-  IndicatorField      m_Field;
-  const ParallelFor & m_ParallelFor;
-  std::vector<double> m_Volumes;
+  const JunctionSet &      m_Junctions;
+  IndicatorField           m_Field;
+  const ParallelFor &      m_ParallelFor;
+  const ProgressFunction & m_Progress;
+  std::vector<double>      m_Volumes;
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
 };
@@ -221,11 +242,12 @@ private:
 
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
-         double trianglesPerCell, WallFittingStatistics * statistics, const ParallelFor & parallelFor)
+         double trianglesPerCell, WallFittingStatistics * statistics, const ParallelFor & parallelFor,
+         const ProgressFunction & progress)
 {
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
-  Fitter                  fitter(junctions, volume, parallelFor);
+  Fitter                  fitter(junctions, volume, parallelFor, progress);
   WallMesh                mesh = fitter.MakeStar(complex, s);
   if (trianglesPerCell > 0.0)
   {

@@ -13,6 +13,7 @@
 namespace
 {
 using tissue::Point;
+using tissue::operator-;
 
 /** A turned image of unequal spacing in which four cells meet at a point, each in a quarter: x and y tell two of the
  * walls, z the third between cells 3 and 4. */
@@ -102,7 +103,7 @@ TEST(IndicatorField, LinesAndCornersAreWhereAllCellsAreEqual)
       EXPECT_NEAR(sample.values[c], sample.values[0], 1e-3);
     }
     const Point expected = volume.ToPhysical({ { 7.5, 7.5, count == 3 ? 5.0 : 7.5 } });
-    EXPECT_LT(field.LengthInVoxels(tissue::operator-(p, expected)), 1.0);
+    EXPECT_LT(field.LengthInVoxels(p - expected), 1.0);
   }
 }
 

@@ -87,10 +87,18 @@ TEST(LabelImageToCellWallMeshFilter, RotatedAndShiftedImageGivesTheTransformedMe
   }
   const double shift[] = { -30.0, 7.0, 110.0 };
   const auto   image = MakeSyntheticTestTissue<unsigned short>();
-  const auto   expected = MakeMesh(image);
+  // The stars: how a wall is remeshed can depend on the last digit of its points.
+  const auto makeStars = [&image]() {
+    const auto filter = MakeFilter(image);
+    filter->SetRefinement(0);
+    filter->Update();
+    return filter->GetOutput();
+  };
+  const itk::CellWallMesh::Pointer expected = makeStars();
   image->SetDirection(rotation);
   image->SetOrigin(shift);
-  const auto mesh = MakeMesh(image);
+  image->Modified();
+  const itk::CellWallMesh::Pointer mesh = makeStars();
 
   ExpectSameTopology(mesh, expected);
   double largestError = 0.0;

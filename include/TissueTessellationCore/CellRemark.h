@@ -44,7 +44,12 @@ enum class Remark
   WallsGained,
   /** The cell's volume in the mesh is below half or above twice that in the image: few corners and straight walls do
    * not describe it. Value: the volume in the mesh over that in the image; negative for a cell turned inside out. */
-  VolumeOff
+  VolumeOff,
+  /** Corners of the cell that are at the mean of their neighbours, as the image has none there. Value: their number. */
+  CornersNotFitted,
+  /** The cell's volume in a mesh that is fitted to the image is more than 1 % off, as its walls would cross others.
+   * Value: as of VolumeOff. */
+  VolumeNotFitted
 };
 
 struct CellRemark

@@ -20,11 +20,11 @@ namespace tissue
  * one corner to its other the way it does in the image.
  *
  * Corners of cells that have no junction in the image stay at the mean of the neighbouring corners. In the order of
- * AdjacencyComplex::GetTetrahedra(). `numberOfUnfitted`, where given, counts the corners without a junction or whose
+ * AdjacencyComplex::GetTetrahedra(). `unfitted`, where given, lists the corners without a junction or whose
  * cells' indicators are nowhere equal within three voxels. */
 std::vector<Point>
 FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, const IndicatorField & field,
-           std::int64_t * numberOfUnfitted = nullptr);
+           std::vector<std::size_t> * unfitted = nullptr);
 } // namespace tissue
 
 #endif

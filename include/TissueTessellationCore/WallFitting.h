@@ -11,6 +11,7 @@
 #include "TissueTessellationCore/JunctionSet.h"
 #include "TissueTessellationCore/LabelVolume.h"
 #include "TissueTessellationCore/ParallelFor.h"
+#include "TissueTessellationCore/Progress.h"
 #include "TissueTessellationCore/WallMesh.h"
 
 namespace tissue
@@ -20,6 +21,8 @@ struct WallFittingStatistics
 {
   /** Corners whose four cells do not meet in the image, or nowhere near. */
   std::int64_t unfittedCorners = 0;
+  /** Those of each cell, by vertex. */
+  std::vector<std::int32_t> unfittedCornersOfCell;
   /** Pairs of triangles of the first star that crossed, and those that no search could part. */
   std::int64_t untangledPairs = 0;
   std::int64_t crossingPairs = 0;
@@ -32,11 +35,12 @@ struct WallFittingStatistics
  * crossing unless the statistics say so.
  *
  * `trianglesPerCell`, each triangle counted once, is approached from below; 0: the stars alone, whose points are the
- * corners, then the walls' centres. Deterministic for any `parallelFor`. */
+ * corners, then the walls' centres. Deterministic for any `parallelFor`. \throws Aborted where `progress`
+ * asks to stop. */
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
-         const ParallelFor & parallelFor = ParallelFor());
+         const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
 } // namespace tissue
 
 #endif
