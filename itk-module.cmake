@@ -7,6 +7,7 @@ optimized by local topological operations and dualized.")
 itk_module(TissueTessellation
   DEPENDS
     ITKCommon
+    ITKConnectedComponents
     ITKDistanceMap
     ITKImageIntensity
     ITKImageSources

@@ -107,6 +107,7 @@ MeshToJson(const ReconstructionReport & report)
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
            { "parts", report.reconstruction.numberOfParts },
+           { "voids", report.reconstruction.numberOfVoids },
            { "walls", mesh.walls.size() },
            { "fitted", report.reconstruction.isFitted },
            { "cornersNotFitted", report.reconstruction.fitting.unfittedCorners },
@@ -153,6 +154,7 @@ ToJson(const ReconstructionReport & report)
                     { "spacing", report.input.spacing },
                     { "exteriorLabel", report.input.exteriorLabel },
                     { "cells", junctions.cells.size() - 1 },
+                    { "voids", junctions.voids.size() },
                     { "walls", junctions.walls.size() },
                     { "tripleLines", junctions.tripleLines.size() },
                     { "junctions", junctions.junctions.size() },
@@ -246,6 +248,8 @@ DescribeReason(const std::string & reason)
     { "enclosed", "enclosed in one other cell" },
     { "separated", "without a neighbour in the image" },
     { "strayPart", "in small parts that touch no other, joined to the nearest part by false walls" },
+    { "separateWalls", "with several separate walls to one neighbour in the image; the mesh has one" },
+    { "exteriorOnTwoSides", "at the exterior on two sides in the image; the mesh has one" },
     { "volumeOff", "with less than half or more than twice their volume in the image" },
     { "cornersNotFitted", "with corners that the image has not" },
     { "volumeNotFitted", "more than 1 % off their volume in the image, as their walls cannot move further" },
@@ -300,6 +304,10 @@ Print(const ReconstructionReport & report, std::ostream & stream)
   if (report.reconstruction.numberOfParts > 1)
   {
     stream << "Parts of the tissue that share no junction: " << report.reconstruction.numberOfParts << '\n';
+  }
+  if (report.reconstruction.numberOfVoids > 0)
+  {
+    stream << "Voids enclosed in the tissue: " << report.reconstruction.numberOfVoids << '\n';
   }
   stream << "Cells that are closed spheres: "
          << numberOfCells - report.check.cellsThatAreNoSphere.size() - report.check.cellsWithoutTriangles.size()

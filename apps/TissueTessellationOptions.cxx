@@ -138,6 +138,8 @@ AddMethodOptions(CLI::App & app, ReconstructionParameters & p)
                "Automatic l_max over the median distance of neighbours");
   AddParameter(
     app, "--separateParts", p.separateParts, "Whether parts that share no junction are apart (true or false)");
+  AddParameter(
+    app, "--separateVoids", p.separateVoids, "Whether enclosed voids are apart from the exterior (true or false)");
   AddParameter(app, "--guidedCleanUp", p.guidedCleanUp, "Whether the image guides the clean-up (true or false)");
   AddNamedParameter(app, "--legality", p.annealing.legality, LegalityNames, "What makes a change of the complex legal");
   AddNamedParameter(app, "--rings", p.annealing.ringRule, RingNames, "Triangulation of the rings of removed edges");
@@ -248,6 +250,7 @@ ToJson(const TissueTessellationOptions & options)
   json["maximumEdgeLength"] = p.maximumEdgeLength;
   json["maximumEdgeLengthFactor"] = p.maximumEdgeLengthFactor;
   json["separateParts"] = p.separateParts;
+  json["separateVoids"] = p.separateVoids;
   json["guidedCleanUp"] = p.guidedCleanUp;
   json["legality"] = NameOf(LegalityNames, p.annealing.legality);
   json["rings"] = NameOf(RingNames, p.annealing.ringRule);

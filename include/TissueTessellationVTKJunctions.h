@@ -18,7 +18,8 @@ namespace tissue
 {
 /** \brief The junctions of a label image: one row for each four cells that meet, as in Junction.
  *
- * Columns: `Label0` .. `Label3` (Int64, in the order of the vertices, so the exterior comes first), `X`, `Y`, `Z`
+ * Columns: `Label0` .. `Label3` (Int64, in the order of the vertices, so the exterior comes first,
+ * and a void, which has its label, last), `X`, `Y`, `Z`
  * (Float64, physical), `NumberOfBlocks`, `NumberOfExactBlocks`, `NumberOfClusters` (Int64). */
 inline vtkSmartPointer<vtkTable>
 MakeJunctionTable(const JunctionSet & junctions)
@@ -36,7 +37,7 @@ MakeJunctionTable(const JunctionSet & junctions)
   for (int i = 0; i < 4; ++i)
   {
     addIntegers("Label" + std::to_string(i),
-                [&junctions, i](const Junction & junction) { return junctions.cells[junction.cells[i]].label; });
+                [&junctions, i](const Junction & junction) { return junctions.CellOfVertex(junction.cells[i]).label; });
   }
   for (int axis = 0; axis < 3; ++axis)
   {

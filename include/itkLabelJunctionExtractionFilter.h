@@ -7,6 +7,7 @@
 #ifndef itkLabelJunctionExtractionFilter_h
 #define itkLabelJunctionExtractionFilter_h
 
+#include "itkImage.h"
 #include "itkProcessObject.h"
 #include "itkTissueJunctions.h"
 
@@ -33,7 +34,9 @@ namespace itk
  * sides: each three of the labels it sees are a triple line, each four a junction (section 3.4 of the paper).
  *
  * Exterior: the outside of the image always; the exterior label, given or found by ExteriorLabelImageCalculator; and
- * label 0, unless it is asked to be a cell. Several such labels are one exterior.
+ * label 0, unless it is asked to be a cell. Several such labels are one exterior. A void of it that the tissue
+ * encloses, with four or more cells around it, is told from it (EnclosedVoidImageFilter): it is one of the voids of the
+ * output. An image that has voids is read twice, and needs 5 bytes a voxel then.
  *
  * The image is split along its last axis among the threads and streamed row by row, as runs of equal labels: time is
  * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of
@@ -93,6 +96,11 @@ public:
   itkGetConstMacro(ZeroIsCell, bool);
   itkBooleanMacro(ZeroIsCell);
 
+  /** Tell enclosed voids from the exterior. Default: on. */
+  itkSetMacro(SeparateVoids, bool);
+  itkGetConstMacro(SeparateVoids, bool);
+  itkBooleanMacro(SeparateVoids);
+
   /** The label of the output's exterior vertex: the one set or found; else 0, or, if 0 is a cell, a negative label that
    * no cell has. Valid after the update. */
   tissue::Label
@@ -119,6 +127,15 @@ private:
   ScanMap
   ScanImage(const std::array<std::int32_t, 3> & size, const tissue::ExteriorLabels & exterior);
 
+  tissue::JunctionSet
+  Gather(const ScanMap & scans, const std::array<std::int32_t, 3> & size,
+         const tissue::ExteriorLabels & exterior) const;
+
+  /** Scans the image again with each enclosed void as a label of its own, if there is one. */
+  void
+  SeparateVoidsOf(tissue::JunctionSet & junctions, const std::array<std::int32_t, 3> & size,
+                  tissue::ExteriorLabels exterior);
+
   /** Feeds the scan with a plane, in its padded coordinates. */
   void
   ScanPlane(IndexValueType plane, tissue::BlockScan & scan) const;
@@ -126,12 +143,17 @@ private:
   void
   ScanImageRow(const LabelPixelType * row, SizeValueType size, tissue::BlockScan & scan) const;
 
+  /** Likewise, where the row of `voids` is not 0 with the labels from m_FirstVoidLabel on. */
+  void
+  ScanImageRow(const LabelPixelType * row, const std::uint32_t * voids, SizeValueType size,
+               tissue::BlockScan & scan) const;
+
   void
   AddRun(LabelPixelType pixel, SizeValueType end, tissue::BlockScan & scan) const;
 
   /** Throws if the exterior label is absent or there are too few cells. */
   void
-  CheckCells(const std::vector<const tissue::BlockScan *> & scans, const tissue::JunctionSet & junctions) const;
+  CheckCells(const ScanMap & scans, const tissue::JunctionSet & junctions) const;
 
   /** From continuous indices to the physical space of the image. */
   void
@@ -140,6 +162,11 @@ private:
   tissue::Label m_ExteriorLabel = 0;
   bool          m_AutomaticExteriorLabel = true;
   bool          m_ZeroIsCell = false;
+  bool          m_SeparateVoids = true;
+
+  /** While the image is scanned with its voids; else null. */
+  Image<std::uint32_t, 3>::Pointer m_Voids;
+  tissue::Label                    m_FirstVoidLabel = 0;
 };
 } // namespace itk
 

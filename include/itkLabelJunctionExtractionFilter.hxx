@@ -10,6 +10,7 @@
 #include "itkLabelJunctionExtractionFilter.h"
 
 #include "itkContinuousIndex.h"
+#include "itkEnclosedVoidImageFilter.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
@@ -116,18 +117,60 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   BlockScan::Index size;
   const auto       imageSize = image->GetLargestPossibleRegion().GetSize();
   std::copy_n(imageSize.begin(), 3, size.begin());
-  const ScanMap                  scansByPlane = this->ScanImage(size, exterior);
-  std::vector<const BlockScan *> scans;
+  m_Voids = nullptr;
+  auto junctions = [&]() {
+    const ScanMap scans = this->ScanImage(size, exterior);
+    auto          result = this->Gather(scans, size, exterior);
+    this->CheckCells(scans, result);
+    return result;
+  }();
+  if (m_SeparateVoids && junctions.cells[tissue::ExteriorVertex].numberOfPieces > 1)
+  {
+    this->SeparateVoidsOf(junctions, size, exterior);
+  }
+  this->TransformToPhysicalSpace(junctions);
+  this->GetOutput()->SetJunctionSet(std::move(junctions));
+  this->UpdateProgress(1.0f);
+}
+
+template <typename TLabelImage>
+tissue::JunctionSet
+LabelJunctionExtractionFilter<TLabelImage>::Gather(const ScanMap &                     scansByPlane,
+                                                   const std::array<std::int32_t, 3> & size,
+                                                   const tissue::ExteriorLabels &      exterior) const
+{
+  std::vector<const tissue::BlockScan *> scans;
   for (const auto & scan : scansByPlane)
   {
     scans.push_back(scan.second.get());
   }
-  const auto spacing = image->GetSpacing();
-  auto       junctions = tissue::GatherJunctions(scans, size, { { spacing[0], spacing[1], spacing[2] } }, exterior);
-  this->CheckCells(scans, junctions);
-  this->TransformToPhysicalSpace(junctions);
-  this->GetOutput()->SetJunctionSet(std::move(junctions));
-  this->UpdateProgress(1.0f);
+  const auto spacing = this->GetInput()->GetSpacing();
+  return tissue::GatherJunctions(scans, size, { { spacing[0], spacing[1], spacing[2] } }, exterior);
+}
+
+template <typename TLabelImage>
+void
+LabelJunctionExtractionFilter<TLabelImage>::SeparateVoidsOf(tissue::JunctionSet &               junctions,
+                                                            const std::array<std::int32_t, 3> & size,
+                                                            tissue::ExteriorLabels              exterior)
+{
+  using VoidFilterType = EnclosedVoidImageFilter<LabelImageType>;
+  const auto voids = VoidFilterType::New();
+  voids->SetInput(this->GetInput());
+  voids->SetExteriorLabels(&exterior);
+  voids->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  voids->Update();
+  const tissue::Label largest = junctions.cells.back().label;
+  if (voids->GetNumberOfVoids() == 0 ||
+      largest > std::numeric_limits<tissue::Label>::max() - static_cast<tissue::Label>(voids->GetNumberOfVoids()))
+  {
+    return;
+  }
+  m_Voids = voids->GetOutput();
+  m_FirstVoidLabel = std::max(largest, exterior.label) + 1;
+  exterior.numberOfVoids = static_cast<std::int32_t>(voids->GetNumberOfVoids());
+  junctions = this->Gather(this->ScanImage(size, exterior), size, exterior);
+  m_Voids = nullptr;
 }
 
 template <typename TLabelImage>
@@ -142,7 +185,8 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int3
   const auto          scanPlanes = [&](const ImageRegion<1> & planes) {
     errors.Run([&]() {
       // One step is left to the end: ITK's progress, a fixed-point number, wraps to 0 where rounding takes it beyond 1.
-      TotalProgressReporter progress(this, numberOfPlanes + 1);
+      // The few images that are scanned again do not report it twice.
+      TotalProgressReporter progress(m_Voids ? nullptr : this, numberOfPlanes + 1);
       const IndexValueType  first = planes.GetIndex(0);
       auto scan = std::make_shared<tissue::BlockScan>(size, static_cast<std::int32_t>(first), exterior);
       this->ScanPlane(first - 1, *scan);
@@ -177,7 +221,15 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanPlane(IndexValueType plane, tiss
     {
       const auto begin = region.GetIndex();
       const auto offset = image->ComputeOffset({ { begin[0], begin[1] + y - 1, begin[2] + plane - 1 } });
-      this->ScanImageRow(image->GetBufferPointer() + offset, region.GetSize(0), scan);
+      const LabelPixelType * const row = image->GetBufferPointer() + offset;
+      if (m_Voids)
+      {
+        this->ScanImageRow(row, m_Voids->GetBufferPointer() + offset, region.GetSize(0), scan);
+      }
+      else
+      {
+        this->ScanImageRow(row, region.GetSize(0), scan);
+      }
     }
     scan.EndRow();
   }
@@ -213,6 +265,27 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * 
 
 template <typename TLabelImage>
 void
+LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * row, const std::uint32_t * voids,
+                                                         SizeValueType size, tissue::BlockScan & scan) const
+{
+  for (SizeValueType i = 0; i < size; ++i)
+  {
+    if (i + 1 == size || row[i] != row[i + 1] || voids[i] != voids[i + 1])
+    {
+      if (voids[i] != 0)
+      {
+        scan.AddRun(m_FirstVoidLabel + static_cast<tissue::Label>(voids[i] - 1), static_cast<std::int32_t>(i + 2));
+      }
+      else
+      {
+        this->AddRun(row[i], i + 1, scan);
+      }
+    }
+  }
+}
+
+template <typename TLabelImage>
+void
 LabelJunctionExtractionFilter<TLabelImage>::AddRun(LabelPixelType pixel, SizeValueType end,
                                                    tissue::BlockScan & scan) const
 {
@@ -227,10 +300,12 @@ LabelJunctionExtractionFilter<TLabelImage>::AddRun(LabelPixelType pixel, SizeVal
 
 template <typename TLabelImage>
 void
-LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const std::vector<const tissue::BlockScan *> & scans,
-                                                       const tissue::JunctionSet &                    junctions) const
+LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const ScanMap &             scans,
+                                                       const tissue::JunctionSet & junctions) const
 {
-  const auto hasLabel = [this](const tissue::BlockScan * scan) { return scan->GetLabels().HasMet(m_ExteriorLabel); };
+  const auto hasLabel = [this](const typename ScanMap::value_type & scan) {
+    return scan.second->GetLabels().HasMet(m_ExteriorLabel);
+  };
   if (!m_AutomaticExteriorLabel && std::none_of(scans.cbegin(), scans.cend(), hasLabel))
   {
     itkExceptionMacro(<< "The exterior label " << m_ExteriorLabel << " is not a label of the image, which has "
@@ -265,6 +340,10 @@ LabelJunctionExtractionFilter<TLabelImage>::TransformToPhysicalSpace(tissue::Jun
   {
     transform(junctions.cells[i].center);
   }
+  for (tissue::Cell & enclosed : junctions.voids)
+  {
+    transform(enclosed.center);
+  }
   for (tissue::Wall & wall : junctions.walls)
   {
     transform(wall.center);
@@ -283,6 +362,7 @@ LabelJunctionExtractionFilter<TLabelImage>::PrintSelf(std::ostream & os, Indent 
   os << indent << "ExteriorLabel: " << m_ExteriorLabel << std::endl;
   os << indent << "AutomaticExteriorLabel: " << m_AutomaticExteriorLabel << std::endl;
   os << indent << "ZeroIsCell: " << m_ZeroIsCell << std::endl;
+  os << indent << "SeparateVoids: " << m_SeparateVoids << std::endl;
 }
 } // namespace itk
 

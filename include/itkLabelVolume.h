@@ -7,16 +7,44 @@
 #ifndef itkLabelVolume_h
 #define itkLabelVolume_h
 
+#include "itkEnclosedVoidImageFilter.h"
 #include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/LabelIndexer.h"
 #include "TissueTessellationCore/LabelVolume.h"
 
+#include <algorithm>
 #include <memory>
 #include <unordered_map>
 
 namespace itk
 {
+/** Gives the voxels of the enclosed voids the vertices of their voids. */
+template <typename TLabelImage>
+void
+NumberVoids(const TLabelImage * image, const tissue::JunctionSet & junctions, std::vector<tissue::VertexId> & vertices)
+{
+  const auto                   isZero = [](const tissue::Cell & cell) { return cell.label == 0; };
+  const tissue::ExteriorLabels exterior{
+    true,
+    junctions.cells[tissue::ExteriorVertex].label,
+    std::any_of(junctions.cells.begin() + 1, junctions.cells.end(), isZero),
+  };
+  const auto voids = EnclosedVoidImageFilter<TLabelImage>::New();
+  voids->SetInput(image);
+  voids->SetExteriorLabels(&exterior);
+  voids->Update();
+  const auto * const numbers = voids->GetOutput()->GetBufferPointer();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (numbers[i] > 0)
+    {
+      vertices[i] = static_cast<tissue::VertexId>(junctions.cells.size() + numbers[i] - 1);
+    }
+  }
+}
+
 /** The label image as the core reads it: each voxel by the vertex of its cell in the junctions of the image. A label
- * that is no cell's is the exterior's. */
+ * that is no cell's is the exterior's, unless it is in an enclosed void of the junctions. */
 template <typename TLabelImage>
 std::shared_ptr<const tissue::LabelVolume>
 MakeLabelVolume(const TLabelImage * image, const tissue::JunctionSet & junctions)
@@ -52,6 +80,10 @@ MakeLabelVolume(const TLabelImage * image, const tissue::JunctionSet & junctions
       vertex = found != vertexOf.end() ? found->second : tissue::ExteriorVertex;
     }
     volume->vertices[i] = vertex;
+  }
+  if (!junctions.voids.empty())
+  {
+    NumberVoids(image, junctions, volume->vertices);
   }
   return volume;
 }

@@ -84,12 +84,13 @@ SideOf(const std::array<Point, 3> & t, const Point & p)
 }
 /** The transform g of a canonical tetrahedron, whose first vertex is the exterior where it has it. */
 Point
-CornerOfCenters(const VertexQuadruple & t, const std::vector<Cell> & cells)
+CornerOfCenters(const VertexQuadruple & t, const JunctionSet & junctions)
 {
-  const std::array<Point, 3> others{ { cells[t[1]].center, cells[t[2]].center, cells[t[3]].center } };
+  const auto                 center = [&junctions](VertexId v) { return junctions.CellOfVertex(v).center; };
+  const std::array<Point, 3> others{ { center(t[1]), center(t[2]), center(t[3]) } };
   return t[0] == ExteriorVertex
            ? ProjectedCircumcenter(others)
-           : ProjectedCircumcenter(std::array<Point, 4>{ { cells[t[0]].center, others[0], others[1], others[2] } });
+           : ProjectedCircumcenter(std::array<Point, 4>{ { center(t[0]), others[0], others[1], others[2] } });
 }
 
 const Junction *
@@ -156,7 +157,7 @@ MoveToJunctions(const AdjacencyComplex & complex, const std::vector<VertexQuadru
  * circumcentres are projected to: moves each of them a little towards the centres of its own cells, so that no edge
  * between them has length 0. */
 void
-SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const std::vector<Cell> & cells,
+SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const JunctionSet & junctions,
                    std::vector<Point> & corners)
 {
   constexpr double         share = 0.05;
@@ -176,7 +177,7 @@ SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const std::v
       {
         if (v != ExteriorVertex)
         {
-          sum = sum + cells[v].center;
+          sum = sum + junctions.CellOfVertex(v).center;
           n += 1.0;
         }
       }
@@ -242,13 +243,13 @@ ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, 
   corners.reserve(tetrahedra.size());
   for (const VertexQuadruple & t : tetrahedra)
   {
-    corners.push_back(CornerOfCenters(t, junctions.cells));
+    corners.push_back(CornerOfCenters(t, junctions));
   }
   if (rule == CornerRule::ImageJunction)
   {
     MoveToJunctions(complex, tetrahedra, junctions, corners);
   }
-  SeparateCoincident(tetrahedra, junctions.cells, corners);
+  SeparateCoincident(tetrahedra, junctions, corners);
   return corners;
 }
 } // namespace tissue

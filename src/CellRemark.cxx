@@ -9,7 +9,10 @@
 #include "TissueTessellationCore/AdjacencyComplex.h"
 #include "TissueTessellationCore/ReferenceAdjacency.h"
 
+#include <algorithm>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 namespace tissue
 {
@@ -27,7 +30,7 @@ struct WallCounts
 std::vector<WallCounts>
 CountWalls(const AdjacencyComplex & complex, const JunctionSet & junctions)
 {
-  std::vector<WallCounts> counts(junctions.cells.size());
+  std::vector<WallCounts> counts(static_cast<std::size_t>(junctions.NumberOfVertices()));
   for (const Wall & wall : junctions.walls)
   {
     const bool isLost = !complex.FindEdge(wall.cells[0], wall.cells[1]);
@@ -50,6 +53,127 @@ CountWalls(const AdjacencyComplex & complex, const JunctionSet & junctions)
   }
   return counts;
 }
+
+bool
+TouchesExterior(const AdjacencyComplex & complex, const JunctionSet & junctions, VertexId v)
+{
+  bool touches = complex.FindEdge(ExteriorVertex, v) != nullptr;
+  for (auto outside = static_cast<VertexId>(junctions.cells.size()); outside < complex.NumberOfVertices(); ++outside)
+  {
+    touches = touches || complex.FindEdge(outside, v);
+  }
+  return touches;
+}
+
+/** Two cells and two others that meet them at a junction of the image. */
+struct WallLink
+{
+  VertexPair cells;
+  VertexPair others;
+  bool       isExact; // no fifth cell is there
+
+  friend bool
+  operator<(const WallLink & a, const WallLink & b)
+  {
+    return std::tie(a.cells, a.others) < std::tie(b.cells, b.others);
+  }
+};
+
+std::vector<WallLink>
+CollectWallLinks(const JunctionSet & junctions)
+{
+  std::vector<WallLink> links;
+  links.reserve(6 * junctions.junctions.size());
+  for (const Junction & junction : junctions.junctions)
+  {
+    const VertexQuadruple & c = junction.cells;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = i + 1; j < 4; ++j)
+      {
+        const int k = i == 0 ? (j == 1 ? 2 : 1) : 0;
+        links.push_back({ { { c[i], c[j] } }, { { c[k], c[6 - i - j - k] } }, junction.numberOfExactBlocks > 0 });
+      }
+    }
+  }
+  std::sort(links.begin(), links.end());
+  return links;
+}
+
+/** The walls of two cells from their links. The junctions of one wall are a cycle around it: several walls are several
+ * components of the links, or several cycles where they have a neighbour in common. Links of crowded blocks are chords,
+ * and make no cycles. */
+int
+CountWallsOfLinks(const WallLink * begin, const WallLink * end)
+{
+  std::map<VertexId, VertexId> parents;
+  const auto                   find = [&parents](VertexId v) {
+    while (parents.emplace(v, v).first->second != v)
+    {
+      v = parents[v];
+    }
+    return v;
+  };
+  int cycles = 0;
+  for (const bool isExact : { true, false })
+  {
+    for (const WallLink * link = begin; link != end; ++link)
+    {
+      if (link->isExact == isExact)
+      {
+        const VertexId a = find(link->others[0]);
+        const VertexId b = find(link->others[1]);
+        cycles += isExact && a == b ? 1 : 0;
+        parents[a] = b;
+      }
+    }
+  }
+  const auto components =
+    std::count_if(parents.begin(), parents.end(), [](const auto & entry) { return entry.first == entry.second; });
+  return std::max(cycles, static_cast<int>(components));
+}
+
+/** Of each vertex the number of its neighbours in the image to which it has several separate walls. */
+std::vector<int>
+CountSeparateWalls(const JunctionSet & junctions)
+{
+  const std::vector<WallLink> links = CollectWallLinks(junctions);
+  std::vector<int>            counts(static_cast<std::size_t>(junctions.NumberOfVertices()), 0);
+  for (auto begin = links.begin(); begin != links.end();)
+  {
+    const auto end =
+      std::find_if(begin, links.end(), [begin](const WallLink & link) { return link.cells != begin->cells; });
+    if (CountWallsOfLinks(&*begin, &*begin + (end - begin)) > 1)
+    {
+      ++counts[begin->cells[0]];
+      ++counts[begin->cells[1]];
+    }
+    begin = end;
+  }
+  return counts;
+}
+
+/** A vertex's junctions with the exterior, and those of them that are at several places. */
+struct SurfaceJunctions
+{
+  int number = 0;
+  int numberOfDouble = 0;
+};
+
+std::vector<SurfaceJunctions>
+CountSurfaceJunctions(const JunctionSet & junctions)
+{
+  std::vector<SurfaceJunctions> counts(static_cast<std::size_t>(junctions.NumberOfVertices()));
+  for (const Junction & junction : junctions.junctions)
+  {
+    for (int i = 1; junction.cells[0] == ExteriorVertex && i < 4; ++i)
+    {
+      ++counts[junction.cells[i]].number;
+      counts[junction.cells[i]].numberOfDouble += junction.numberOfClusters > 1 ? 1 : 0;
+    }
+  }
+  return counts;
+}
 } // namespace
 
 const char *
@@ -67,6 +191,10 @@ ToString(Remark remark)
       return "separated";
     case Remark::StrayPart:
       return "strayPart";
+    case Remark::SeparateWalls:
+      return "separateWalls";
+    case Remark::ExteriorOnTwoSides:
+      return "exteriorOnTwoSides";
     case Remark::CenterMoved:
       return "centerMoved";
     case Remark::ExteriorLost:
@@ -108,6 +236,13 @@ Describe(const CellRemark & remark)
     case Remark::StrayPart:
       text << "is in a small part of the tissue that touches no other; false walls join it to the nearest part";
       break;
+    case Remark::SeparateWalls:
+      text << "has several separate walls to each of " << remark.value
+           << (remark.value == 1.0 ? " neighbour" : " neighbours") << "; the mesh has one";
+      break;
+    case Remark::ExteriorOnTwoSides:
+      text << "meets the exterior on two sides, as in a sheet of one layer; the mesh has one";
+      break;
     case Remark::CenterMoved:
       text << "had the same centre as another cell; moved by " << remark.value;
       break;
@@ -137,9 +272,11 @@ Describe(const CellRemark & remark)
 std::vector<CellRemark>
 CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions)
 {
-  const std::vector<WallCounts> counts = CountWalls(complex, junctions);
-  std::vector<CellRemark>       remarks;
-  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  const std::vector<WallCounts>       counts = CountWalls(complex, junctions);
+  const std::vector<int>              separateWalls = CountSeparateWalls(junctions);
+  const std::vector<SurfaceJunctions> surface = CountSurfaceJunctions(junctions);
+  std::vector<CellRemark>             remarks;
+  for (VertexId v = ExteriorVertex + 1; v < static_cast<VertexId>(junctions.cells.size()); ++v)
   {
     const Cell &       cell = junctions.cells[v];
     const WallCounts & count = counts[v];
@@ -150,13 +287,17 @@ CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions)
       }
     };
     const bool isAlone = count.inImage == 1;
-    const bool touches = complex.FindEdge(ExteriorVertex, v) != nullptr;
+    const bool isInExterior = count.neighbor == ExteriorVertex || junctions.IsVoid(count.neighbor);
+    const bool touches = TouchesExterior(complex, junctions, v);
     add(cell.numberOfPieces > 1, Remark::SeveralPieces, static_cast<double>(cell.numberOfStrayVoxels));
     add(cell.touchesBorder, Remark::CutByBorder, 0.0);
-    add(isAlone && count.neighbor != ExteriorVertex,
-        Remark::Enclosed,
-        static_cast<double>(junctions.cells[count.neighbor].label));
-    add(isAlone && count.neighbor == ExteriorVertex, Remark::Separated, 0.0);
+    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.CellOfVertex(count.neighbor).label));
+    add(isAlone && isInExterior, Remark::Separated, 0.0);
+    add(separateWalls[v] > 0, Remark::SeparateWalls, separateWalls[v]);
+    // All of them double: the two sides of a sheet. Some of them: a junction that is cut up.
+    add(surface[v].numberOfDouble > 2 && 2 * surface[v].numberOfDouble > surface[v].number,
+        Remark::ExteriorOnTwoSides,
+        surface[v].numberOfDouble);
     add(cell.touchesExterior && !touches, Remark::ExteriorLost, 0.0);
     add(!cell.touchesExterior && touches, Remark::ExteriorGained, 0.0);
     add(count.lost > 0, Remark::WallsLost, count.lost);

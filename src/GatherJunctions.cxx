@@ -276,12 +276,19 @@ GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point 
     cell.volume = static_cast<double>(cell.numberOfVoxels) * spacing[0] * spacing[1] * spacing[2];
   }
   set.walls = GatherWalls(scans, maps, spacing);
+  const auto firstVoid = static_cast<VertexId>(set.cells.size()) - exterior.numberOfVoids;
   for (const Wall & wall : set.walls)
   {
-    if (wall.cells[0] == ExteriorVertex)
+    if (wall.cells[0] == ExteriorVertex || wall.cells[1] >= firstVoid)
     {
-      set.cells[wall.cells[1]].touchesExterior = true;
+      set.cells[wall.cells[wall.cells[0] == ExteriorVertex ? 1 : 0]].touchesExterior = true;
     }
+  }
+  set.voids.assign(set.cells.begin() + firstVoid, set.cells.end());
+  set.cells.resize(static_cast<std::size_t>(firstVoid));
+  for (Cell & enclosed : set.voids)
+  {
+    enclosed.label = set.cells[ExteriorVertex].label;
   }
   set.tripleLines = GatherTripleLines(scans, maps);
   set.junctions = GatherQuadruples(scans, maps);

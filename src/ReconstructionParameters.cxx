@@ -43,6 +43,7 @@ ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
   parameters.separateParts = false;
+  parameters.separateVoids = false;
   parameters.maximumEdgeLengthFactor = 1.4;
   parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();

@@ -69,7 +69,7 @@ SortFour(VertexQuadruple & v)
 
 ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
 {
-  const std::size_t n = junctions.cells.size();
+  const auto n = static_cast<std::size_t>(junctions.NumberOfVertices());
   if (n > IdMask + 1)
   {
     throw std::invalid_argument("ReferenceAdjacency: " + std::to_string(n - 1) + " cells, at most " +

@@ -29,7 +29,7 @@ FindSeparatedCells(const JunctionSet & junctions, double reach)
   std::vector<bool>         touchesCell(cells.size(), false);
   for (const Wall & wall : junctions.walls)
   {
-    if (wall.cells[0] != ExteriorVertex)
+    if (wall.cells[0] != ExteriorVertex && !junctions.IsVoid(wall.cells[1]))
     {
       touchesCell[wall.cells[0]] = true;
       touchesCell[wall.cells[1]] = true;

@@ -122,7 +122,7 @@ MedianNeighborDistance(const JunctionSet & junctions)
   std::vector<double> distances;
   for (const Wall & wall : junctions.walls)
   {
-    if (wall.cells[0] != ExteriorVertex)
+    if (wall.cells[0] != ExteriorVertex && !junctions.IsVoid(wall.cells[1]))
     {
       distances.push_back(Distance(junctions.cells[wall.cells[0]].center, junctions.cells[wall.cells[1]].center));
     }

@@ -36,12 +36,12 @@ ConnectByJunctions(const JunctionSet & junctions)
   DisjointSets sets(junctions.cells.size());
   for (const Junction & junction : junctions.junctions)
   {
-    const VertexId last = junction.cells[3];
+    const VertexId first = junction.cells[junction.cells[0] == ExteriorVertex ? 1 : 0];
     for (const VertexId v : junction.cells)
     {
-      if (v != ExteriorVertex)
+      if (v != ExteriorVertex && !junctions.IsVoid(v))
       {
-        sets.Unite(v, last);
+        sets.Unite(v, first);
       }
     }
   }
@@ -59,6 +59,31 @@ ConnectByJunctions(const JunctionSet & junctions)
     return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
   });
   return parts;
+}
+
+void
+AddVoids(const JunctionSet & junctions, TissueParts & parts)
+{
+  const std::vector<int>          partOfVertex = parts.PartOfVertex(junctions.NumberOfVertices());
+  const std::size_t               numberOfCells = junctions.cells.size();
+  std::vector<std::map<int, int>> numberOfJunctions(junctions.voids.size());
+  for (const Junction & junction : junctions.junctions)
+  {
+    const VertexId last = junction.cells[3];
+    const VertexId first = junction.cells[junction.cells[0] == ExteriorVertex ? 1 : 0];
+    if (junctions.IsVoid(last) && !junctions.IsVoid(first))
+    {
+      ++numberOfJunctions[static_cast<std::size_t>(last) - numberOfCells][partOfVertex[first]];
+    }
+  }
+  for (std::size_t i = 0; i < numberOfJunctions.size(); ++i)
+  {
+    const auto most = std::max_element(numberOfJunctions[i].begin(),
+                                       numberOfJunctions[i].end(),
+                                       [](const auto & a, const auto & b) { return a.second < b.second; });
+    const int  part = most != numberOfJunctions[i].end() ? most->first : 0;
+    parts.parts[static_cast<std::size_t>(part)].push_back(static_cast<VertexId>(numberOfCells + i));
+  }
 }
 
 /** The part that holds the cell nearest to the given one. */
@@ -83,6 +108,20 @@ NearestPart(VertexId cell, const std::vector<std::vector<VertexId>> & parts, con
 }
 } // namespace
 
+std::vector<int>
+TissueParts::PartOfVertex(VertexId numberOfVertices) const
+{
+  std::vector<int> partOfVertex(static_cast<std::size_t>(numberOfVertices), -1);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    for (const VertexId v : parts[i])
+    {
+      partOfVertex[v] = static_cast<int>(i);
+    }
+  }
+  return partOfVertex;
+}
+
 TissueParts
 FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & centers)
 {
@@ -102,9 +141,7 @@ FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & center
   std::sort(result.strayCells.begin(), result.strayCells.end());
   if (large.empty())
   {
-    result.parts.push_back(std::move(result.strayCells));
-    result.strayCells.clear();
-    return result;
+    return JoinTissueParts(junctions);
   }
   result.parts = large;
   for (const VertexId cell : result.strayCells)
@@ -115,6 +152,7 @@ FindTissueParts(const JunctionSet & junctions, const std::vector<Point> & center
   {
     std::sort(part.begin(), part.end());
   }
+  AddVoids(junctions, result);
   return result;
 }
 
@@ -123,9 +161,9 @@ JoinTissueParts(const JunctionSet & junctions)
 {
   TissueParts result;
   result.parts.emplace_back();
-  for (std::size_t v = ExteriorVertex + 1; v < junctions.cells.size(); ++v)
+  for (VertexId v = ExteriorVertex + 1; v < junctions.NumberOfVertices(); ++v)
   {
-    result.parts.front().push_back(static_cast<VertexId>(v));
+    result.parts.front().push_back(v);
   }
   return result;
 }

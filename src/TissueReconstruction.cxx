@@ -11,6 +11,7 @@
 #include "TissueTessellationCore/DualMesh.h"
 #include "TissueTessellationCore/TissueParts.h"
 #include "TissueTessellationCore/Vector.h"
+#include "TissueTessellationCore/Voids.h"
 #include "TissueTessellationCore/WallRefinement.h"
 
 #include <algorithm>
@@ -48,13 +49,14 @@ std::vector<Point>
 SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks)
 {
   std::vector<Point> centers;
-  centers.reserve(junctions.cells.size());
+  centers.reserve(static_cast<std::size_t>(junctions.NumberOfVertices()));
   std::set<Point> taken;
   const double    typical = MedianNeighborDistance(junctions);
   const double    step = 1e-3 * (typical > 0.0 ? typical : 1.0);
-  for (const Cell & cell : junctions.cells)
+  for (VertexId v = ExteriorVertex; v < junctions.NumberOfVertices(); ++v)
   {
-    Point center = cell.center;
+    const Cell & cell = junctions.CellOfVertex(v);
+    Point        center = cell.center;
     if (!centers.empty())
     {
       for (int i = 0; !taken.insert(center).second; ++i)
@@ -62,10 +64,9 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
         center = cell.center;
         center[i % 3] += step * (i / 3 + 1);
       }
-      if (center != cell.center)
+      if (center != cell.center && !junctions.IsVoid(v))
       {
-        remarks.push_back(
-          { static_cast<VertexId>(centers.size()), Remark::CenterMoved, Distance(center, cell.center) });
+        remarks.push_back({ v, Remark::CenterMoved, Distance(center, cell.center) });
       }
     }
     centers.push_back(center);
@@ -130,14 +131,33 @@ MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const
 } // namespace
 
 TissueReconstruction
-ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & parameters,
                   const ProgressFunction & progress, const LabelVolume * volume, const ParallelFor & parallelFor)
 {
   parameters.Check();
+  if (!parameters.separateVoids && !image.voids.empty())
+  {
+    LabelVolume merged;
+    if (volume != nullptr)
+    {
+      merged = *volume;
+      const auto isVoid = [&image](VertexId v) { return image.IsVoid(v); };
+      std::replace_if(merged.vertices.begin(), merged.vertices.end(), isVoid, ExteriorVertex);
+    }
+    return ReconstructTissue(
+      MergeVoids(image), parameters, progress, volume != nullptr ? &merged : nullptr, parallelFor);
+  }
   TissueReconstruction     result;
   Stopwatch                stopwatch;
   std::vector<CellRemark>  remarks;
-  const std::vector<Point> centers = SeparateCenters(junctions, remarks);
+  const std::vector<Point> centers = SeparateCenters(image, remarks);
+  const TissueParts        parts = parameters.separateParts ? FindTissueParts(image, centers) : JoinTissueParts(image);
+  JunctionSet              ofParts;
+  if (parts.parts.size() > 1 && !image.voids.empty())
+  {
+    ofParts = MergeVoidsOfOtherParts(image, parts.PartOfVertex(image.NumberOfVertices()));
+  }
+  const JunctionSet &      junctions = ofParts.cells.empty() ? image : ofParts;
   const ReferenceAdjacency reference(junctions);
   // The statistics of a stage do not count for the time of the next one.
   const auto finishStage = [&](const AdjacencyComplex & complex) {
@@ -148,7 +168,7 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
     return stage;
   };
 
-  const TissueParts parts = parameters.separateParts ? FindTissueParts(junctions, centers) : JoinTissueParts(junctions);
+  result.numberOfVoids = junctions.voids.size();
   result.numberOfParts = parts.parts.size();
   AdjacencyComplex complex(static_cast<VertexId>(centers.size()), TetrahedralizeParts(parts, centers));
   result.delaunay = finishStage(complex);
@@ -174,7 +194,7 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   result.energy = optimizer.Energy();
   result.optimized = finishStage(complex);
 
-  result.tetrahedra = complex.GetTetrahedra();
+  result.tetrahedra = MergeVoids(complex.GetTetrahedra(), junctions);
   result.isFitted = volume != nullptr && parameters.fitToImage;
   const double begin = DelaunayShare + OptimizationShare;
   const auto   fitProgress = [&](double fraction) { return !progress || progress(begin + (1.0 - begin) * fraction); };
@@ -182,12 +202,15 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   result.walls = result.isFitted
                    ? FitWalls(complex, junctions, *volume, trianglesPerCell, &result.fitting, parallelFor, fitProgress)
                    : MakeWalls(complex, junctions, parameters);
+  MergeVoids(result.walls, junctions);
   for (const VertexId cell : parts.strayCells)
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });
   }
   RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
-  for (std::size_t v = ExteriorVertex + 1; v < result.fitting.unfittedCornersOfCell.size(); ++v)
+  for (std::size_t v = ExteriorVertex + 1;
+       v < std::min(junctions.cells.size(), result.fitting.unfittedCornersOfCell.size());
+       ++v)
   {
     if (result.fitting.unfittedCornersOfCell[v] > 0)
     {

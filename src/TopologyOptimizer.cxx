@@ -84,8 +84,14 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
   const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, isFocused ? 0.4 : 1.0));
   if (isFocused)
   {
-    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.7));
-    m_NumberOfRelocatedVertices = RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.7, 1.0));
+    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.6));
+    m_NumberOfRelocatedVertices = RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.6, 0.8));
+    // Once more and milder: a vertex at its place may have opened the way for others.
+    FocusedAnnealingParameters milder = m_Annealing.focus;
+    milder.initialTemperature *= 0.5;
+    milder.numberOfRounds /= 2;
+    AnnealWhereWrong(m_State, milder, OneElement(), partOf(0.8, 0.9));
+    m_NumberOfRelocatedVertices += RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.9, 1.0));
   }
   Report(progress, 1.0);
   return cycles;

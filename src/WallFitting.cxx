@@ -70,9 +70,9 @@ public:
     , m_ParallelFor(parallelFor)
     , m_Progress(progress)
   {
-    for (const Cell & cell : junctions.cells)
+    for (VertexId v = 0; v < junctions.NumberOfVertices(); ++v)
     {
-      m_Volumes.push_back(cell.volume);
+      m_Volumes.push_back(junctions.CellOfVertex(v).volume);
     }
     m_Volumes[ExteriorVertex] = 0.0;
   }

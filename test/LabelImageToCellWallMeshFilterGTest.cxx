@@ -88,7 +88,7 @@ TEST(LabelImageToCellWallMeshFilter, RotatedAndShiftedImageGivesTheTransformedMe
   const double shift[] = { -30.0, 7.0, 110.0 };
   const auto   image = MakeSyntheticTestTissue<unsigned short>();
   // The stars: how a wall is remeshed can depend on the last digit of its points.
-  const auto makeStars = [&image]() {
+  const auto makeStars = [&image]() -> itk::CellWallMesh::Pointer {
     const auto filter = MakeFilter(image);
     filter->SetRefinement(0);
     filter->Update();

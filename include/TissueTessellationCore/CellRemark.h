@@ -32,6 +32,12 @@ enum class Remark
   /** The cell's part of the tissue touches no other and is too small for a complex of its own; false walls join it to
    * the nearest part. */
   StrayPart,
+  /** The cell has two or more separate walls to one other cell or to the exterior in the image, of which an adjacency
+   * complex can have one. Value: the number of such neighbours. */
+  SeparateWalls,
+  /** The cell meets the same neighbours and the exterior on two sides in the image, as in a sheet of one layer; the
+   * mesh has one of them. Value: the number of its junctions with the exterior that are at several places. */
+  ExteriorOnTwoSides,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */

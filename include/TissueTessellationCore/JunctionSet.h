@@ -14,7 +14,8 @@
 namespace tissue
 {
 /** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex: its voxels are those within
- * the image, its largest piece is the one around the tissue, and its other pieces are voids enclosed in the tissue. */
+ * the image but those of JunctionSet::voids, its largest piece is the one around the tissue, and its other pieces are
+ * voids too small to be vertices. A void is a cell of one piece with the exterior's label. */
 struct Cell
 {
   /** Of the exterior: the label that stands for it, or one that no cell has if only the outside of the image does. */
@@ -29,7 +30,7 @@ struct Cell
   std::int64_t numberOfStrayVoxels = 0;
   /** Face-connected pieces; 1 for a sound cell. */
   std::int32_t numberOfPieces = 1;
-  /** A voxel of the cell shares a face with the exterior label or with the outside of the image. */
+  /** A voxel of the cell shares a face with the exterior label, a void too, or with the outside of the image. */
   bool touchesExterior = false;
   /** A voxel of the cell lies on the border of the image: the cell may be cut there. */
   bool touchesBorder = false;
@@ -71,18 +72,40 @@ struct Junction
 
 /** \brief Everything the topological optimization takes from a label image (paper, section 3.4).
  *
- * The vertices of the adjacency complex are the indices of `cells`: the exterior first, then the cells in ascending
- * order of their labels. All other lists are sorted by `cells` and hold each tuple once, the tuples in ascending order.
- * The outside of the image counts as exterior, so a wall of a cell cut by the border is a wall to the exterior.
- * A block of more than four labels counts for each of its subsets of three and of four. */
+ * The vertices of the adjacency complex are the indices of `cells`, the exterior first, then the cells in ascending
+ * order of their labels; then come those of `voids`: each is a place of its own where cells meet the exterior, for
+ * which one vertex would not do (a cell of a hollow tissue of one layer meets it on two sides). All other lists are
+ * sorted by `cells` and hold each tuple once, the tuples in ascending order. The outside of the image counts as
+ * exterior, so a wall of a cell cut by the border is a wall to the exterior. A block of more than four labels counts
+ * for each of its subsets of three and of four. */
 struct JunctionSet
 {
   std::vector<Cell>       cells;
+  std::vector<Cell>       voids;
   std::vector<Wall>       walls;
   std::vector<TripleLine> tripleLines;
   std::vector<Junction>   junctions;
   /** 2x2x2 blocks with more than four labels. */
   std::int64_t numberOfCrowdedBlocks = 0;
+
+  VertexId
+  NumberOfVertices() const
+  {
+    return static_cast<VertexId>(cells.size() + voids.size());
+  }
+
+  const Cell &
+  CellOfVertex(VertexId v) const
+  {
+    const auto i = static_cast<std::size_t>(v);
+    return i < cells.size() ? cells[i] : voids[i - cells.size()];
+  }
+
+  bool
+  IsVoid(VertexId v) const
+  {
+    return static_cast<std::size_t>(v) >= cells.size();
+  }
 };
 } // namespace tissue
 

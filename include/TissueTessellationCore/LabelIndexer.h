@@ -22,6 +22,8 @@ struct ExteriorLabels
   bool  hasLabel = false;
   Label label = 0;
   bool  zeroIsCell = false;
+  /** The largest labels of the image, as many as there are enclosed voids, stand for one void each. */
+  std::int32_t numberOfVoids = 0;
 
   bool
   Contains(Label other) const

@@ -19,6 +19,10 @@ struct ReconstructionParameters
   /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
    */
   bool separateParts = true;
+  /** Whether the voids enclosed in the tissue are vertices of their own (JunctionSet::voids); else they are the
+   * exterior.
+   */
+  bool separateVoids = true;
 
   /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
    */

@@ -19,11 +19,16 @@ namespace tissue
  */
 struct TissueParts
 {
-  /** The cells of each part, ascending; the largest part first, of equal ones that with the smallest label. */
+  /** The cells of each part, ascending, then its voids; the largest part first, of equal ones that with the smallest
+   * label. A void is in the part with which it has most junctions: the one that encloses it, where it holds others. */
   std::vector<std::vector<VertexId>> parts;
   /** Cells of parts too small for a complex (fewer than four cells, or centres in one plane), which were counted to the
    * part of the nearest cell; ascending. */
   std::vector<VertexId> strayCells;
+
+  /** The index of the part of each vertex; -1 for the exterior. */
+  std::vector<int>
+  PartOfVertex(VertexId numberOfVertices) const;
 };
 
 /** Parts are connected by junctions. `centers` has a position for every vertex of `junctions`. A tissue that has no

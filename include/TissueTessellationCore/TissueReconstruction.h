@@ -41,6 +41,8 @@ struct TissueReconstruction
 
   /** Parts of the tissue that share no junction: the exterior's link has as many spheres. */
   std::size_t numberOfParts = 1;
+  /** Enclosed voids that were vertices of their own. */
+  std::size_t numberOfVoids = 0;
   /** The l_max that was used. */
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
@@ -56,10 +58,11 @@ struct TissueReconstruction
  * Delaunay, clean-up, optimization, dual. Parts of the tissue that share no junction (TissueParts.h) have a complex
  * each.
  *
- * With the `volume` that the junctions come from, the walls are fitted to it unless the parameters say otherwise. What is
- * done by `parallelFor` is the same for any number of threads.
+ * With the `volume` that the junctions come from, the walls are fitted to it unless the parameters say otherwise. What
+ * is done by `parallelFor` is the same for any number of threads.
  *
- * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. Cells with the same
+ * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. A void is a vertex while
+ * the complex is optimized, and then the exterior: in `tetrahedra` and `walls`. Cells with the same
  * centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. \throws
  * std::invalid_argument for parameters out of range, fewer than four cells, and cells whose centres are coplanar.
  * \throws Aborted where `progress` asks to stop. */

@@ -33,8 +33,8 @@ struct AnnealingParameters
   RingRule ringRule = RingRule::ProjectedDelaunay;
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 1000;
-  /** Whether the cycles are followed by annealing where the complex is wrong and by the relocation of vertices, which
-   * the paper has not; where there is a reference and legality is combinatorial. */
+  /** Whether the cycles are followed by annealing where the complex is wrong and by the relocation of vertices, twice,
+   * which the paper has not; where there is a reference and legality is combinatorial. */
   bool                       isFocused = false;
   FocusedAnnealingParameters focus;
   VertexRelocationParameters relocation;
