@@ -8,7 +8,7 @@
 #define ComparisonTable_h
 
 #include "Stopwatch.h"
-#include "WallMeshEvaluation.h"
+#include "TissueTessellationCore/WallMeshEvaluation.h"
 
 #include <nlohmann/json_fwd.hpp>
 

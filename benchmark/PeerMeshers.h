@@ -7,7 +7,7 @@
 #ifndef PeerMeshers_h
 #define PeerMeshers_h
 
-#include "LabelledTriangles.h"
+#include "TissueTessellationCore/LabelledTriangles.h"
 #include "Stopwatch.h"
 
 #include <itkImage.h>

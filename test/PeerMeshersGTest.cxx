@@ -5,7 +5,7 @@
  *
  *=========================================================================*/
 #include "LabelInput.h"
-#include "WallMeshEvaluation.h"
+#include "TissueTessellationCore/WallMeshEvaluation.h"
 
 #include <itkImageRegionIteratorWithIndex.h>
 

@@ -4,15 +4,16 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "WallMeshEvaluation.h"
+#include "TissueTessellationCore/WallMeshEvaluation.h"
 
 #include "FourCubes.h"
-#include "LabelledTriangles.h"
+#include "TissueTessellationCore/LabelledTriangles.h"
 #include "TissueTessellationCore/CellSurfaceCheck.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 // All figures are derived by hand; FourCubes.h says what the four cubes have.
@@ -99,6 +100,73 @@ TEST(WallMeshEvaluation, CellWithoutTriangleIsMissing)
   EXPECT_EQ(evaluation.numberOfMissingCells, 1u);
   EXPECT_EQ(evaluation.numberOfSpheres, 2u);
   EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 1.0);
+}
+
+TEST(WallMeshEvaluation, CubesInTwoHalves)
+{
+  const auto mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfTriangles, 22u);
+  EXPECT_EQ(evaluation.numberOfClosedCells, 2u);
+  EXPECT_EQ(evaluation.numberOfSpheres, 2u);
+  EXPECT_EQ(evaluation.numberOfCorners, 0u);
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 1.0);
+  EXPECT_NEAR(evaluation.meanVolumeError, 0.0, 1e-12);
+  EXPECT_NEAR(evaluation.volumeErrorPercentile95, 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(evaluation.shareWithinOnePercent, 1.0);
+  EXPECT_NEAR(evaluation.meanConvexity, 1.0, 1e-12);
+  // Halves of unit squares: 4 sqrt(3) / 2 / (1 + 1 + 2).
+  EXPECT_NEAR(evaluation.quality.mean, std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_NEAR(evaluation.quality.least, std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_EQ(evaluation.numberOfDegenerateTriangles, 0u);
+  EXPECT_EQ(evaluation.numberOfCrossings, 0u);
+  for (int v = 1; v < 3; ++v)
+  {
+    EXPECT_EQ(evaluation.cells[v].eulerCharacteristic, 2);
+    EXPECT_TRUE(evaluation.cells[v].isSphere);
+  }
+}
+
+TEST(WallMeshEvaluation, HoleOpensItsCells)
+{
+  tissue::WallMesh mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  const auto       isExterior = mesh.walls[mesh.wallOfTriangle[0]].cells[1] == tissue::ExteriorVertex;
+  mesh.triangles.erase(mesh.triangles.begin());
+  mesh.wallOfTriangle.erase(mesh.wallOfTriangle.begin());
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfClosedCells, isExterior ? 1u : 0u);
+  EXPECT_DOUBLE_EQ(evaluation.shareWithinOnePercent, isExterior ? 0.5 : 0.0);
+}
+
+TEST(WallMeshEvaluation, TurnedTriangleOpensItsCells)
+{
+  tissue::WallMesh mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (mesh.walls[mesh.wallOfTriangle[t]].cells == tissue::VertexPair{ { 1, 2 } })
+    {
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      break;
+    }
+  }
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfClosedCells, 0u);
+  EXPECT_EQ(evaluation.cells[1].volumeError, -1.0);
+}
+
+TEST(WallMeshEvaluation, CrossingAndDegenerateTrianglesAreCounted)
+{
+  tissue::LabelledTriangles triangles;
+  triangles.points = { { { 0, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } },  { { 0.5, 0.5, -1 } }, { { 0.5, 0.5, 1 } },
+                       { { 3, 3, 0 } }, { { 9, 0, 0 } }, { { 10, 0, 0 } }, { { 11, 0, 0 } } };
+  triangles.triangles = { { { { 0, 1, 2 } }, { { 1, 0 } } },
+                          { { { 3, 4, 5 } }, { { 2, 0 } } },
+                          { { { 6, 7, 8 } }, { { 1, 2 } } } };
+  const auto evaluation =
+    tissue::EvaluateWallMesh(tissue::MakeWallMesh(triangles), MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
+  EXPECT_EQ(evaluation.numberOfCrossings, 1u);
+  EXPECT_EQ(evaluation.numberOfDegenerateTriangles, 1u);
+  EXPECT_EQ(evaluation.quality.least, 0.0);
 }
 
 TEST(LabelledTriangles, BecomeWallsWhateverTheirOrderAndSides)

@@ -7,8 +7,9 @@
 #ifndef TissueTessellationCore_LabelVolume_h
 #define TissueTessellationCore_LabelVolume_h
 
-#include "TissueTessellationCore/Types.h"
+#include "TissueTessellationCore/Vector.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -34,6 +35,24 @@ struct LabelVolume
       return ExteriorVertex;
     }
     return vertices[(static_cast<std::size_t>(z) * size[1] + y) * size[0] + x];
+  }
+
+  /** The index, not whole, of a physical position; the steps must span a volume. */
+  Point
+  ToIndex(const Point & position) const
+  {
+    const Point  offset = position - origin;
+    const double volume = Dot(steps[0], Cross(steps[1], steps[2]));
+    return (1.0 / volume) * Point{ { Dot(offset, Cross(steps[1], steps[2])),
+                                     Dot(offset, Cross(steps[2], steps[0])),
+                                     Dot(offset, Cross(steps[0], steps[1])) } };
+  }
+
+  /** Edge of the cube of a voxel's volume. */
+  double
+  VoxelLength() const
+  {
+    return std::cbrt(std::abs(Dot(steps[0], Cross(steps[1], steps[2]))));
   }
 
   /** The physical position of an index, which need not be whole. */

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef LabelledTriangles_h
-#define LabelledTriangles_h
+#ifndef TissueTessellationCore_LabelledTriangles_h
+#define TissueTessellationCore_LabelledTriangles_h
 
 #include "TissueTessellationCore/WallMesh.h"
 

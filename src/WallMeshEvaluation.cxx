@@ -4,12 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "WallMeshEvaluation.h"
+#include "TissueTessellationCore/WallMeshEvaluation.h"
 
 #include "TissueTessellationCore/CellSurfaceCheck.h"
+#include "TissueTessellationCore/ConvexHull.h"
+#include "TissueTessellationCore/CrossingGuard.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -122,40 +125,98 @@ ComputeOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQu
            Jaccard(static_cast<std::size_t>(commonQuadruples), quadruples.size(), reference.NumberOfQuadruples()) };
 }
 
+/** The points of the triangles of each cell, each as often as it is there. */
+std::vector<std::vector<Point>>
+PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
+{
+  std::vector<std::vector<Point>> points(static_cast<std::size_t>(numberOfVertices));
+  for (std::size_t t = 0; t < walls.triangles.size(); ++t)
+  {
+    for (const VertexId cell : walls.walls[walls.wallOfTriangle[t]].cells)
+    {
+      if (cell != ExteriorVertex && cell < numberOfVertices)
+      {
+        for (const PointId p : walls.triangles[t])
+        {
+          points[cell].push_back(walls.points[p]);
+        }
+      }
+    }
+  }
+  return points;
+}
+
 void
-JudgeSurfaces(const WallMesh & walls, const std::vector<Cell> & cells, WallMeshEvaluation & evaluation)
+JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const ParallelFor & parallelFor,
+           WallMeshEvaluation & evaluation)
 {
   const auto             numberOfVertices = static_cast<VertexId>(cells.size());
   const CellSurfaceCheck check = CheckCellSurfaces(walls, numberOfVertices + 1);
-  double                 volumeErrors = 0.0;
-  for (VertexId v = ExteriorVertex + 1; v < numberOfVertices; ++v)
-  {
-    const CellSurface & surface = check.cells[v];
-    evaluation.numberOfMissingCells += surface.numberOfTriangles == 0 ? 1 : 0;
-    evaluation.numberOfSpheres += surface.IsSphere() ? 1 : 0;
-    if (surface.IsClosed())
+  const auto             points = PointsOfCells(walls, numberOfVertices);
+  evaluation.numberOfDegenerateTriangles = static_cast<std::size_t>(check.numberOfDegenerateTriangles);
+  evaluation.cells.resize(cells.size());
+  RunFor(parallelFor, cells.size() - 1, [&](std::size_t i) {
+    const std::size_t          v = i + 1;
+    const CellSurface &        surface = check.cells[v];
+    WallMeshEvaluation::Cell & cell = evaluation.cells[v];
+    cell.eulerCharacteristic = surface.eulerCharacteristic;
+    cell.isClosed = surface.IsClosed();
+    cell.isSphere = surface.IsSphere();
+    if (cell.isClosed)
     {
-      ++evaluation.numberOfClosedCells;
-      volumeErrors += std::abs(surface.volume - cells[v].volume) / cells[v].volume;
+      cell.volumeError = std::abs(surface.volume - cells[v].volume) / cells[v].volume;
+      const double hull = ConvexHullVolume(points[v]);
+      cell.convexity = hull > 0.0 ? std::clamp(surface.volume / hull, 0.0, 1.0) : 0.0;
+    }
+  });
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    evaluation.numberOfMissingCells += check.cells[v].numberOfTriangles == 0 ? 1 : 0;
+  }
+}
+
+void
+SumUpCells(WallMeshEvaluation & evaluation)
+{
+  std::vector<double> errors;
+  std::size_t         withinOnePercent = 0;
+  for (const WallMeshEvaluation::Cell & cell : evaluation.cells)
+  {
+    evaluation.numberOfSpheres += cell.isSphere ? 1 : 0;
+    if (cell.isClosed)
+    {
+      errors.push_back(cell.volumeError);
+      withinOnePercent += cell.volumeError <= 0.01 ? 1 : 0;
+      evaluation.meanConvexity += cell.convexity;
     }
   }
-  if (evaluation.numberOfClosedCells > 0)
+  evaluation.numberOfClosedCells = errors.size();
+  if (!errors.empty())
   {
-    evaluation.meanVolumeError = volumeErrors / static_cast<double>(evaluation.numberOfClosedCells);
+    const auto n = static_cast<double>(errors.size());
+    std::sort(errors.begin(), errors.end());
+    evaluation.meanVolumeError = std::accumulate(errors.begin(), errors.end(), 0.0) / n;
+    evaluation.volumeErrorPercentile95 = errors[static_cast<std::size_t>(0.95 * (n - 1.0))];
+    evaluation.shareWithinOnePercent =
+      static_cast<double>(withinOnePercent) / static_cast<double>(evaluation.numberOfCells);
+    evaluation.meanConvexity /= n;
   }
 }
 } // namespace
 
 WallMeshEvaluation
-EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions)
+EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const ParallelFor & parallelFor)
 {
   const auto         numberOfVertices = static_cast<VertexId>(junctions.cells.size());
   WallMeshEvaluation evaluation;
   evaluation.numberOfTriangles = walls.triangles.size();
   evaluation.numberOfCells = junctions.cells.size() - 1;
-  JudgeSurfaces(walls, junctions.cells, evaluation);
+  JudgeCells(walls, junctions.cells, parallelFor, evaluation);
+  SumUpCells(evaluation);
   const auto quadruples = CollectQuadruples(walls, numberOfVertices, evaluation);
   evaluation.overlap = ComputeOverlap(CollectPairs(walls, numberOfVertices), quadruples, ReferenceAdjacency(junctions));
+  evaluation.quality = SummarizeTriangleQuality(walls);
+  evaluation.numberOfCrossings = FindCrossings(walls, parallelFor).size();
   return evaluation;
 }
 } // namespace tissue

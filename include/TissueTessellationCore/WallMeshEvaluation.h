@@ -4,11 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef WallMeshEvaluation_h
-#define WallMeshEvaluation_h
+#ifndef TissueTessellationCore_WallMeshEvaluation_h
+#define TissueTessellationCore_WallMeshEvaluation_h
 
 #include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/ParallelFor.h"
 #include "TissueTessellationCore/ReferenceAdjacency.h"
+#include "TissueTessellationCore/TriangleQuality.h"
 #include "TissueTessellationCore/WallMesh.h"
 
 namespace tissue
@@ -29,9 +31,31 @@ struct WallMeshEvaluation
   std::size_t numberOfCrowdedCorners = 0;
   /** Mean of |V - V_image| / V_image over the closed cells, in 0 .. 1 as a rule. */
   double meanVolumeError = 0.0;
+  /** A twentieth of the closed cells have a larger one. */
+  double volumeErrorPercentile95 = 0.0;
+  /** Share of all cells that are closed and within one percent of their volume in the image. */
+  double shareWithinOnePercent = 0.0;
+  /** Mean over the closed cells of the volume over that of the convex hull, in 0 .. 1. */
+  double meanConvexity = 0.0;
   /** Pairs of cells with a triangle between them, and quadruples of cells around a point, against those of the image.
    * A point where more than four cells meet stands for each four of them, as a block of voxels of the image does. */
   AdjacencyOverlap overlap;
+  QualitySummary   quality;
+  std::size_t      numberOfDegenerateTriangles = 0;
+  /** Pairs of triangles that cross (TriangleCrossing.h). */
+  std::size_t numberOfCrossings = 0;
+
+  struct Cell
+  {
+    /** -1 where the cell is not closed. */
+    double       volumeError = -1.0;
+    double       convexity = -1.0;
+    std::int32_t eulerCharacteristic = 0;
+    bool         isClosed = false;
+    bool         isSphere = false;
+  };
+  /** By vertex; that of the exterior is empty. */
+  std::vector<Cell> cells;
 };
 
 /** \brief Judges a mesh of any origin by the junctions of the image it was made from.
@@ -40,7 +64,8 @@ struct WallMeshEvaluation
  * cells: it is no cell, and in no pair or quadruple. Volumes are meant to be in the image's units.
  * \throws std::invalid_argument as RequireConsistentIndices does. */
 WallMeshEvaluation
-EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions);
+EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions,
+                 const ParallelFor & parallelFor = ParallelFor());
 } // namespace tissue
 
 #endif

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "LabelledTriangles.h"
+#include "TissueTessellationCore/LabelledTriangles.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,0 +1,101 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/WallDistance.h"
+
+#include "TissueTessellationCore/ImageFaces.h"
+#include "TissueTessellationCore/Vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tissue
+{
+namespace
+{
+double
+DistanceToNearest(const Point & point, const ImagePlaces::Place * begin, const ImagePlaces::Place * end)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const ImagePlaces::Place * place = begin; place != end; ++place)
+  {
+    const Point offset = Point{ { (*place)[0], (*place)[1], (*place)[2] } } - point;
+    least = std::min(least, Dot(offset, offset));
+  }
+  return std::sqrt(least);
+}
+} // namespace
+
+WallDistance
+MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
+                    const ParallelFor & parallelFor)
+{
+  struct Sums
+  {
+    double area = 0.0;
+    double distance = 0.0;
+    double falseArea = 0.0;
+  };
+  const ImagePlaces        faces = CollectImageFaces(labels, walls.walls);
+  std::vector<std::size_t> first(walls.walls.size() + 1, 0); // triangles of a wall are consecutive
+  for (const WallId wall : walls.wallOfTriangle)
+  {
+    ++first[static_cast<std::size_t>(wall) + 1];
+  }
+  for (std::size_t w = 0; w < walls.walls.size(); ++w)
+  {
+    first[w + 1] += first[w];
+  }
+  std::vector<Sums> sumsOfWall(walls.walls.size());
+  RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
+    for (std::size_t t = first[w]; t < first[w + 1]; ++t)
+    {
+      const auto &  triangle = walls.triangles[t];
+      const Point & a = walls.points[triangle[0]];
+      const Point & b = walls.points[triangle[1]];
+      const Point & c = walls.points[triangle[2]];
+      const Point   normal = Cross(b - a, c - a);
+      const double  area = 0.5 * std::sqrt(Dot(normal, normal));
+      if (faces.Begin(w) == faces.End(w))
+      {
+        sumsOfWall[w].falseArea += area;
+        continue;
+      }
+      sumsOfWall[w].area += area;
+      sumsOfWall[w].distance += area * DistanceToNearest((1.0 / 3.0) * (a + b + c), faces.Begin(w), faces.End(w));
+    }
+  });
+
+  WallDistance        result;
+  Sums                total;
+  std::vector<double> areaOfVertex(static_cast<std::size_t>(numberOfVertices), 0.0);
+  result.ofVertex.assign(static_cast<std::size_t>(numberOfVertices), 0.0);
+  for (std::size_t w = 0; w < walls.walls.size(); ++w)
+  {
+    total.area += sumsOfWall[w].area;
+    total.distance += sumsOfWall[w].distance;
+    total.falseArea += sumsOfWall[w].falseArea;
+    for (const VertexId v : walls.walls[w].cells)
+    {
+      if (v < numberOfVertices)
+      {
+        areaOfVertex[v] += sumsOfWall[w].area;
+        result.ofVertex[v] += sumsOfWall[w].distance;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < areaOfVertex.size(); ++v)
+  {
+    result.ofVertex[v] = areaOfVertex[v] > 0.0 ? result.ofVertex[v] / areaOfVertex[v] : 0.0;
+  }
+  const double whole = total.area + total.falseArea;
+  result.mean = total.area > 0.0 ? total.distance / total.area : 0.0;
+  result.meanInVoxels = result.mean / labels.VoxelLength();
+  result.shareOfFalseWalls = whole > 0.0 ? total.falseArea / whole : 0.0;
+  return result;
+}
+} // namespace tissue
