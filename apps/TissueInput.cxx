@@ -265,6 +265,7 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
     extraction->SetExteriorLabel(*options.exteriorLabel);
   }
   extraction->SetZeroIsCell(options.zeroIsCell);
+  extraction->SetSeparateVoids(options.parameters.separateVoids);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);
   extraction->Update();

@@ -67,6 +67,7 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
     extraction->SetExteriorLabel(m_ExteriorLabel);
   }
   extraction->SetZeroIsCell(m_ZeroIsCell);
+  extraction->SetSeparateVoids(this->GetParameters().separateVoids);
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(extraction, 0.3f);
 
