@@ -58,11 +58,24 @@ WithoutVoids(LabelVolume volume, VertexId numberOfVertices)
   return volume;
 }
 
+TissueInput
+ReadLabels(const Options & options, ProgressBar & progress)
+{
+  try
+  {
+    return ReadTissue(options.input, progress);
+  }
+  catch (const std::exception & error)
+  {
+    throw std::runtime_error(options.input.labels + ": " + ToMessage(error));
+  }
+}
+
 Evaluation
 Evaluate(const Options & options)
 {
   ProgressBar       progress(options.input.isQuiet);
-  const TissueInput input = ReadTissue(options.input, progress);
+  const TissueInput input = ReadLabels(options, progress);
   Evaluation        result;
   // A mesh of any origin knows one exterior.
   result.junctions = MergeVoids(input.junctions->GetJunctionSet());

@@ -13,6 +13,7 @@
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>
@@ -40,6 +41,8 @@ ReadPolyData(const std::string & path)
   {
     Fail(path, "there is no such file, or it cannot be read");
   }
+  // What is wrong is said in one line, below.
+  vtkObject::GlobalWarningDisplayOff();
   const vtkNew<vtkXMLPolyDataReader> xml;
   if (xml->CanReadFile(path.c_str()))
   {
