@@ -5,13 +5,15 @@
  *
  *=========================================================================*/
 // The phases of the pipeline on synthetic tissues of growing size, with the default parameters. Cells are of the number
-// of voxels that adjacencies are as hard there as on real tissue: how long the optimization takes depends on it.
+// of voxels that adjacencies are as hard there as on real tissue: how long the optimization takes depends on it. Times
+// of small tissues are the mean of several, as one may be easier than others.
 #include "LabelInput.h"
+#include "Stopwatch.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/DualMesh.h"
 #include "TissueTessellationCore/ReconstructionParameters.h"
+#include "TissueTessellationCore/SpatialOrder.h"
 #include "TissueTessellationCore/SurfaceCleanUp.h"
-#include "TissueTessellationCore/WallRefinement.h"
+#include "itkLabelImageToCellWallMeshFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
 #include "itkSyntheticTissueImageSource.h"
 
@@ -29,7 +31,7 @@ namespace
 using namespace tissue;
 
 LabelImage::Pointer
-MakeTissue(std::int64_t numberOfCells)
+MakeTissue(std::int64_t numberOfCells, std::uint64_t seed = 1)
 {
   constexpr double voxelsPerCell = 4000.0;
   using SourceType = itk::SyntheticTissueImageSource<LabelImage>;
@@ -43,61 +45,62 @@ MakeTissue(std::int64_t numberOfCells)
   source->SetShape(SourceType::ShapeEnum::Block);
   source->SetMargin(margin);
   source->SetSmoothing(1);
-  source->SetSeed(1);
+  source->SetSeed(seed);
   source->Update();
   return source->GetOutput();
 }
 
-/** What the phases after the extraction start from: the same for all of them, and made once. */
+/** What the optimization starts from, its vertices in spatial order as in ReconstructTissue(). */
 struct Tissue
 {
-  itk::TissueJunctions::Pointer extracted;
-  std::vector<Point>            centers;
-  ReconstructionParameters      parameters;
+  std::vector<Point>       centers;
+  ReferenceAdjacency       reference;
+  AdjacencyComplex         cleaned;
+  ReconstructionParameters parameters;
 
-  explicit Tissue(std::int64_t numberOfCells)
-    : extracted(ExtractJunctions(MakeTissue(numberOfCells)))
+  explicit Tissue(const JunctionSet & junctions)
+    : Tissue(junctions, SpatialOrder(ListCenters(junctions)))
+  {}
+
+private:
+  Tissue(const JunctionSet & junctions, const std::vector<VertexId> & order)
+    : reference(ReferenceAdjacency(junctions).Renumbered(RanksInOrder(order)))
+    , cleaned(0, {})
   {
-    for (const Cell & cell : this->Junctions().cells)
+    for (const VertexId v : order)
     {
-      centers.push_back(cell.center);
+      centers.push_back(junctions.CellOfVertex(v).center);
     }
-  }
-
-  const JunctionSet &
-  Junctions() const
-  {
-    return extracted->GetJunctionSet();
-  }
-
-  AdjacencyComplex
-  MakeDelaunay() const
-  {
-    return AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
-  }
-
-  void
-  Clean(AdjacencyComplex & complex, const ReferenceAdjacency & reference) const
-  {
+    cleaned = AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
     SurfaceCleanUpParameters cleanUp;
-    cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * MedianNeighborDistance(this->Junctions());
+    cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
     cleanUp.guidedByReference = parameters.guidedCleanUp;
-    CleanSurface(complex, centers, &reference, cleanUp);
+    CleanSurface(cleaned, centers, &reference, cleanUp);
   }
 
-  void
-  Optimize(AdjacencyComplex & complex, const ReferenceAdjacency & reference) const
+  static std::vector<Point>
+  ListCenters(const JunctionSet & junctions)
   {
-    TopologyOptimizer(complex, centers, &reference, parameters.energy, parameters.annealing).Run();
+    std::vector<Point> centers;
+    for (VertexId v = ExteriorVertex; v < junctions.NumberOfVertices(); ++v)
+    {
+      centers.push_back(junctions.CellOfVertex(v).center);
+    }
+    return centers;
   }
 };
 
-const Tissue &
-GetTissue(std::int64_t numberOfCells)
+std::vector<Tissue>
+MakeTissues(std::int64_t numberOfCells)
 {
-  static std::map<std::int64_t, Tissue> tissues;
-  const auto                            found = tissues.find(numberOfCells);
-  return found != tissues.end() ? found->second : tissues.emplace(numberOfCells, Tissue(numberOfCells)).first->second;
+  constexpr std::int64_t cellsOfAll = 10000;
+  std::vector<Tissue>    tissues;
+  do
+  {
+    const auto extracted = ExtractJunctions(MakeTissue(numberOfCells, tissues.size() + 1));
+    tissues.emplace_back(extracted->GetJunctionSet());
+  } while (static_cast<std::int64_t>(tissues.size() + 1) * numberOfCells <= cellsOfAll);
+  return tissues;
 }
 
 void
@@ -121,10 +124,15 @@ ExtractionOfJunctions(benchmark::State & state, const LabelImage * labels)
 void
 Delaunay(benchmark::State & state)
 {
-  const Tissue & tissue = GetTissue(state.range(0));
+  const std::vector<Tissue> tissues = MakeTissues(state.range(0));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(tissue.MakeDelaunay());
+    Stopwatch stopwatch;
+    for (const Tissue & tissue : tissues)
+    {
+      benchmark::DoNotOptimize(DelaunayTetrahedralization(tissue.centers));
+    }
+    state.SetIterationTime(stopwatch.Lap().processorSeconds / static_cast<double>(tissues.size()));
   }
   state.SetComplexityN(state.range(0));
 }
@@ -132,38 +140,39 @@ Delaunay(benchmark::State & state)
 void
 Optimization(benchmark::State & state)
 {
-  const Tissue &           tissue = GetTissue(state.range(0));
-  const ReferenceAdjacency reference(tissue.Junctions());
-  AdjacencyComplex         cleaned = tissue.MakeDelaunay();
-  tissue.Clean(cleaned, reference);
-  double adjacency4 = 0.0;
+  const std::vector<Tissue> tissues = MakeTissues(state.range(0));
+  double                    adjacency4 = 0.0;
   for (auto _ : state)
   {
-    AdjacencyComplex complex = cleaned;
-    tissue.Optimize(complex, reference);
-    state.PauseTiming();
-    adjacency4 = ComputeAdjacencyOverlap(complex, reference).adjacency4;
-    state.ResumeTiming();
+    double seconds = 0.0;
+    adjacency4 = 0.0;
+    for (const Tissue & tissue : tissues)
+    {
+      AdjacencyComplex complex = tissue.cleaned;
+      Stopwatch        stopwatch;
+      TopologyOptimizer(
+        complex, tissue.centers, &tissue.reference, tissue.parameters.energy, tissue.parameters.annealing)
+        .Run();
+      seconds += stopwatch.Lap().processorSeconds;
+      adjacency4 += ComputeAdjacencyOverlap(complex, tissue.reference).adjacency4;
+    }
+    state.SetIterationTime(seconds / static_cast<double>(tissues.size()));
   }
-  state.counters["adjacency4"] = adjacency4;
+  state.counters["adjacency4"] = adjacency4 / static_cast<double>(tissues.size());
   state.SetComplexityN(state.range(0));
 }
 
+/** Wall-clock time, on all processors. */
 void
-Dual(benchmark::State & state)
+FittingOfWalls(benchmark::State & state)
 {
-  const Tissue &         tissue = GetTissue(state.range(0));
-  const AdjacencyComplex complex = tissue.MakeDelaunay();
+  const auto reconstruction = itk::LabelImageToCellWallMeshFilter<LabelImage>::New();
+  reconstruction->SetInput(MakeTissue(state.range(0)));
   for (auto _ : state)
   {
-    WallMesh walls =
-      TriangulateAsStars(Dualize(complex, ComputeCorners(complex, tissue.Junctions(), tissue.parameters.corners)));
-    for (int level = 0; level < tissue.parameters.refinement; ++level)
-    {
-      SplitTriangles(walls);
-    }
-    SmoothWalls(walls, tissue.parameters.smoothingIterations);
-    benchmark::DoNotOptimize(walls.points.data());
+    reconstruction->Modified();
+    reconstruction->Update();
+    state.SetIterationTime(reconstruction->GetOutput()->GetReconstruction().dualSeconds);
   }
   state.SetComplexityN(state.range(0));
 }
@@ -184,7 +193,7 @@ Register(const Options & options, const LabelImage * labels)
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
   const std::map<std::string, void (*)(benchmark::State &)> phases = { { "Delaunay", Delaunay },
-                                                                       { "Dual", Dual },
+                                                                       { "FittingOfWalls", FittingOfWalls },
                                                                        { "Optimization", Optimization } };
   for (const auto & [name, phase] : phases)
   {
@@ -196,7 +205,7 @@ Register(const Options & options, const LabelImage * labels)
         family->Arg(n);
       }
     }
-    family->ArgName("cells")->Complexity(benchmark::oAuto)->Unit(benchmark::kMillisecond);
+    family->ArgName("cells")->UseManualTime()->Complexity(benchmark::oAuto)->Unit(benchmark::kMillisecond);
   }
 }
 } // namespace
@@ -210,7 +219,7 @@ main(int argc, char ** argv)
   app.option_defaults()->always_capture_default();
   app.add_option("--labels", options.labels, "Extract the junctions of this image, not of a synthetic one")
     ->check(CLI::ExistingFile);
-  app.add_option("--mostCells", options.mostCells, "Largest tissue that is optimized")->check(CLI::Range(1000, 100000));
+  app.add_option("--mostCells", options.mostCells, "Cells of the largest tissue")->check(CLI::Range(1000, 100000));
   CLI11_PARSE(app, argc, argv);
   try
   {

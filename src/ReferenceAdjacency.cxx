@@ -14,15 +14,45 @@ namespace tissue
 {
 namespace
 {
-/** Begins of rows, one for each vertex and one past the last, from the row of each entry. */
-template <typename TTuples, typename TRow>
+/** The vertices of walls or junctions. */
+template <typename TEntry>
+auto
+ListTuples(const std::vector<TEntry> & entries)
+{
+  std::vector<decltype(TEntry::cells)> tuples;
+  tuples.reserve(entries.size());
+  for (const TEntry & entry : entries)
+  {
+    tuples.push_back(entry.cells);
+  }
+  return tuples;
+}
+
+template <typename TTuple>
+std::vector<TTuple>
+RenumberTuples(std::vector<TTuple> tuples, const std::vector<VertexId> & ids)
+{
+  for (TTuple & tuple : tuples)
+  {
+    for (VertexId & v : tuple)
+    {
+      v = ids[v];
+    }
+    std::sort(tuple.begin(), tuple.end());
+  }
+  std::sort(tuples.begin(), tuples.end());
+  return tuples;
+}
+
+/** Begins of rows, one for each vertex and one past the last: a tuple is in the row of its largest vertex. */
+template <typename TTuple>
 std::vector<std::size_t>
-CountRows(std::size_t numberOfRows, const TTuples & tuples, const TRow & rowOf)
+CountRows(std::size_t numberOfRows, const std::vector<TTuple> & tuples)
 {
   std::vector<std::size_t> begins(numberOfRows + 1, 0);
-  for (const auto & tuple : tuples)
+  for (const TTuple & tuple : tuples)
   {
-    ++begins[rowOf(tuple) + 1];
+    ++begins[static_cast<std::size_t>(tuple.back()) + 1];
   }
   for (std::size_t row = 0; row < numberOfRows; ++row)
   {
@@ -30,6 +60,11 @@ CountRows(std::size_t numberOfRows, const TTuples & tuples, const TRow & rowOf)
   }
   return begins;
 }
+
+/** Words of the filter in which a quadruple may have its bit, a power of two, and what is left of a hash for them. */
+constexpr std::size_t FilterWindow = 8;
+constexpr int         FilterShift = 64 - 3 - 6;
+
 /** Bits of a vertex id in a packed triple. */
 constexpr int           IdBits = 21;
 constexpr std::uint64_t IdMask = (std::uint64_t{ 1 } << IdBits) - 1;
@@ -68,44 +103,58 @@ SortFour(VertexQuadruple & v)
 } // namespace
 
 ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
+  : ReferenceAdjacency(junctions.NumberOfVertices(), ListTuples(junctions.walls), ListTuples(junctions.junctions))
+{}
+
+ReferenceAdjacency::ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
+                                       const std::vector<VertexQuadruple> & quadruples)
 {
-  const auto n = static_cast<std::size_t>(junctions.NumberOfVertices());
+  const auto n = static_cast<std::size_t>(numberOfVertices);
   if (n > IdMask + 1)
   {
     throw std::invalid_argument("ReferenceAdjacency: " + std::to_string(n - 1) + " cells, at most " +
                                 std::to_string(IdMask) + " are possible");
   }
-  m_PairRows = CountRows(n, junctions.walls, [](const Wall & wall) { return static_cast<std::size_t>(wall.cells[1]); });
-  m_Smaller.resize(junctions.walls.size());
+  m_PairRows = CountRows(n, pairs);
+  m_Smaller.resize(pairs.size());
   std::vector<std::size_t> next(m_PairRows.begin(), m_PairRows.end() - 1);
-  for (const Wall & wall : junctions.walls)
+  for (const VertexPair & pair : pairs)
   {
-    m_Smaller[next[wall.cells[1]]++] = wall.cells[0];
+    m_Smaller[next[pair[1]]++] = pair[0];
   }
 
-  const auto last = [](const Junction & junction) { return static_cast<std::size_t>(junction.cells[3]); };
-  m_QuadrupleRows = CountRows(n, junctions.junctions, last);
-  m_Others.resize(junctions.junctions.size());
+  m_QuadrupleRows = CountRows(n, quadruples);
+  m_Others.resize(quadruples.size());
   next.assign(m_QuadrupleRows.begin(), m_QuadrupleRows.end() - 1);
-  for (const Junction & junction : junctions.junctions)
+  for (const VertexQuadruple & q : quadruples)
   {
-    m_Others[next[last(junction)]++] = Pack(junction.cells[0], junction.cells[1], junction.cells[2]);
+    m_Others[next[q[3]]++] = Pack(q[0], q[1], q[2]);
   }
 
-  // 16 to 32 bits a quadruple.
-  int filterBits = 6;
-  while ((std::size_t{ 1 } << filterBits) < 16 * m_Others.size())
+  constexpr std::size_t bitsPerQuadruple = 24;
+  m_Filter.assign(FilterWindow + m_Others.size() * bitsPerQuadruple / 64, 0);
+  m_FilterWordsPerVertex = ((m_Filter.size() - FilterWindow) << 32) / std::max<std::size_t>(n, 1);
+  for (const VertexQuadruple & q : quadruples)
   {
-    ++filterBits;
-  }
-  m_FilterShift = 64 - filterBits;
-  m_Filter.assign((std::size_t{ 1 } << filterBits) / 64, 0);
-  for (const Junction & junction : junctions.junctions)
-  {
-    const VertexQuadruple & c = junction.cells;
-    const std::uint64_t     bit = Hash(Pack(c[0], c[1], c[2]), c[3]) >> m_FilterShift;
+    const std::size_t bit = this->FilterBit(Pack(q[0], q[1], q[2]), q[3]);
     m_Filter[bit / 64] |= std::uint64_t{ 1 } << (bit % 64);
   }
+}
+
+ReferenceAdjacency
+ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
+{
+  return { static_cast<VertexId>(m_PairRows.size() - 1),
+           RenumberTuples(this->GetPairs(), ids),
+           RenumberTuples(this->GetQuadruples(), ids) };
+}
+
+std::size_t
+ReferenceAdjacency::FilterBit(std::uint64_t others, VertexId largest) const
+{
+  const std::uint64_t hash = Hash(others, largest);
+  const std::uint64_t first = (static_cast<std::uint64_t>(largest) * m_FilterWordsPerVertex) >> 32;
+  return (first << 6) + (hash >> FilterShift);
 }
 
 bool
@@ -123,7 +172,7 @@ ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
   VertexQuadruple key = vertices;
   SortFour(key);
   const std::uint64_t others = Pack(key[0], key[1], key[2]);
-  const std::uint64_t bit = Hash(others, key[3]) >> m_FilterShift;
+  const std::size_t   bit = this->FilterBit(others, key[3]);
   if ((m_Filter[bit / 64] >> (bit % 64) & 1) == 0)
   {
     return false;
@@ -131,6 +180,21 @@ ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
   const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3]]);
   const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3] + 1]);
   return std::binary_search(begin, end, others);
+}
+
+std::vector<VertexPair>
+ReferenceAdjacency::GetPairs() const
+{
+  std::vector<VertexPair> pairs;
+  pairs.reserve(m_Smaller.size());
+  for (std::size_t row = 0; row + 1 < m_PairRows.size(); ++row)
+  {
+    for (std::size_t i = m_PairRows[row]; i < m_PairRows[row + 1]; ++i)
+    {
+      pairs.push_back({ { m_Smaller[i], static_cast<VertexId>(row) } });
+    }
+  }
+  return pairs;
 }
 
 std::vector<VertexQuadruple>

@@ -9,6 +9,7 @@
 #include "TissueTessellationCore/CellSurfaceCheck.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/SpatialOrder.h"
 #include "TissueTessellationCore/TissueParts.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/Voids.h"
@@ -74,6 +75,22 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
   return centers;
 }
 
+/** The tetrahedra over vertices by other ids: ids[v] for v. */
+std::vector<VertexQuadruple>
+Renumbered(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids)
+{
+  for (VertexQuadruple & tetrahedron : tetrahedra)
+  {
+    for (VertexId & v : tetrahedron)
+    {
+      v = ids[v];
+    }
+    tetrahedron = Canonical(tetrahedron);
+  }
+  std::sort(tetrahedra.begin(), tetrahedra.end());
+  return tetrahedra;
+}
+
 /** The Delaunay tetrahedralization of each part of the tissue, closed by the exterior. */
 std::vector<VertexQuadruple>
 TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & centers)
@@ -88,12 +105,62 @@ TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & center
     {
       points.push_back(centers[v]);
     }
-    for (const VertexQuadruple & t : DelaunayTetrahedralization(points))
-    {
-      tetrahedra.push_back({ { vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]] } });
-    }
+    const auto ofPart = Renumbered(DelaunayTetrahedralization(points), vertices);
+    tetrahedra.insert(tetrahedra.end(), ofPart.begin(), ofPart.end());
   }
   return tetrahedra;
+}
+
+/** The complex through its stages, which `result` learns of. Works on vertices in spatial order: on large tissues much
+ * of the time would go to fetching what lies far apart. */
+AdjacencyComplex
+ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, const std::vector<Point> & centersById,
+                   const ReconstructionParameters & parameters, const ProgressFunction & progress,
+                   TissueReconstruction & result)
+{
+  Stopwatch                   stopwatch;
+  const std::vector<VertexId> order = SpatialOrder(centersById);
+  const std::vector<VertexId> ranks = RanksInOrder(order);
+  std::vector<Point>          centers;
+  for (const VertexId v : order)
+  {
+    centers.push_back(centersById[v]);
+  }
+  const ReferenceAdjacency reference = ReferenceAdjacency(junctions).Renumbered(ranks);
+  // The statistics of a stage do not count for the time of the next one.
+  const auto finishStage = [&](const AdjacencyComplex & complex) {
+    ReconstructionStage stage;
+    stage.seconds = stopwatch.Lap();
+    stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
+    stopwatch.Lap();
+    return stage;
+  };
+
+  const auto       numberOfVertices = static_cast<VertexId>(centers.size());
+  AdjacencyComplex complex(numberOfVertices, Renumbered(TetrahedralizeParts(parts, centersById), ranks));
+  result.delaunay = finishStage(complex);
+  Report(progress, DelaunayShare);
+
+  SurfaceCleanUpParameters cleanUp;
+  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength > 0.0
+                                ? parameters.maximumEdgeLength
+                                : parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
+  cleanUp.guidedByReference = parameters.guidedCleanUp;
+  result.maximumEdgeLength = cleanUp.maximumEdgeLength;
+  // Without two cells that touch there is no scale to judge an edge by.
+  if (cleanUp.maximumEdgeLength > 0.0)
+  {
+    result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
+  }
+  result.cleaned = finishStage(complex);
+
+  TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
+  result.cycles =
+    optimizer.Run([&](double fraction) { return !progress || progress(DelaunayShare + OptimizationShare * fraction); });
+  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
+  result.energy = optimizer.Energy();
+  result.optimized = finishStage(complex);
+  return AdjacencyComplex(numberOfVertices, Renumbered(complex.GetTetrahedra(), order));
 }
 
 /** Names the cells whose volume is far from that in the image. */
@@ -148,7 +215,6 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
       MergeVoids(image), parameters, progress, volume != nullptr ? &merged : nullptr, parallelFor);
   }
   TissueReconstruction     result;
-  Stopwatch                stopwatch;
   std::vector<CellRemark>  remarks;
   const std::vector<Point> centers = SeparateCenters(image, remarks);
   const TissueParts        parts = parameters.separateParts ? FindTissueParts(image, centers) : JoinTissueParts(image);
@@ -157,43 +223,12 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   {
     ofParts = MergeVoidsOfOtherParts(image, parts.PartOfVertex(image.NumberOfVertices()));
   }
-  const JunctionSet &      junctions = ofParts.cells.empty() ? image : ofParts;
-  const ReferenceAdjacency reference(junctions);
-  // The statistics of a stage do not count for the time of the next one.
-  const auto finishStage = [&](const AdjacencyComplex & complex) {
-    ReconstructionStage stage;
-    stage.seconds = stopwatch.Lap();
-    stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
-    stopwatch.Lap();
-    return stage;
-  };
-
+  const JunctionSet & junctions = ofParts.cells.empty() ? image : ofParts;
   result.numberOfVoids = junctions.voids.size();
   result.numberOfParts = parts.parts.size();
-  AdjacencyComplex complex(static_cast<VertexId>(centers.size()), TetrahedralizeParts(parts, centers));
-  result.delaunay = finishStage(complex);
-  Report(progress, DelaunayShare);
+  const AdjacencyComplex complex = ReconstructComplex(junctions, parts, centers, parameters, progress, result);
 
-  SurfaceCleanUpParameters cleanUp;
-  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength > 0.0
-                                ? parameters.maximumEdgeLength
-                                : parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
-  cleanUp.guidedByReference = parameters.guidedCleanUp;
-  result.maximumEdgeLength = cleanUp.maximumEdgeLength;
-  // Without two cells that touch there is no scale to judge an edge by.
-  if (cleanUp.maximumEdgeLength > 0.0)
-  {
-    result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
-  }
-  result.cleaned = finishStage(complex);
-
-  TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
-  result.cycles =
-    optimizer.Run([&](double fraction) { return !progress || progress(DelaunayShare + OptimizationShare * fraction); });
-  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
-  result.energy = optimizer.Energy();
-  result.optimized = finishStage(complex);
-
+  Stopwatch stopwatch;
   result.tetrahedra = MergeVoids(complex.GetTetrahedra(), junctions);
   result.isFitted = volume != nullptr && parameters.fitToImage;
   const double begin = DelaunayShare + OptimizationShare;

@@ -70,3 +70,21 @@ TEST(ReferenceAdjacency, OverlapByHand)
   EXPECT_DOUBLE_EQ(overlap.adjacency2, 13.0 / 15.0);
   EXPECT_DOUBLE_EQ(overlap.adjacency4, 7.0 / 10.0);
 }
+
+TEST(ReferenceAdjacency, RenumberedHoldsTheSameTuplesByTheirNewIds)
+{
+  const AdjacencyComplex      complex(7, Bipyramid(4));
+  const ReferenceAdjacency    reference(JunctionsOf(complex, BipyramidCenters(std::vector<Point>(4))));
+  const std::vector<VertexId> ids{ 0, 4, 6, 2, 1, 5, 3 };
+  const ReferenceAdjacency    renumbered = reference.Renumbered(ids);
+  ASSERT_EQ(renumbered.NumberOfQuadruples(), reference.NumberOfQuadruples());
+  ASSERT_EQ(renumbered.NumberOfPairs(), reference.NumberOfPairs());
+  for (const VertexQuadruple & q : reference.GetQuadruples())
+  {
+    EXPECT_TRUE(renumbered.HasQuadruple({ { ids[q[0]], ids[q[1]], ids[q[2]], ids[q[3]] } }));
+  }
+  for (const VertexPair & pair : reference.GetPairs())
+  {
+    EXPECT_TRUE(renumbered.HasPair(ids[pair[0]], ids[pair[1]]));
+  }
+}

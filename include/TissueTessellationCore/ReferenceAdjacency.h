@@ -22,12 +22,20 @@ public:
   /** \throws std::invalid_argument for more than 2 097 151 cells: ids are kept in 21 bits. */
   explicit ReferenceAdjacency(const JunctionSet & junctions);
 
+  /** The same adjacencies of vertices by new ids: ids[v], a permutation, for v. */
+  ReferenceAdjacency
+  Renumbered(const std::vector<VertexId> & ids) const;
+
   bool
   HasPair(VertexId u, VertexId v) const;
 
   /** Vertices in any order. */
   bool
   HasQuadruple(const VertexQuadruple & vertices) const;
+
+  /** All pairs, ascending within each. */
+  std::vector<VertexPair>
+  GetPairs() const;
 
   /** All quadruples, ascending within each. */
   std::vector<VertexQuadruple>
@@ -46,6 +54,14 @@ public:
   }
 
 private:
+  /** Of tuples that ascend, each within, and all of them by the smaller ones of each. */
+  ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
+                     const std::vector<VertexQuadruple> & quadruples);
+
+  /** Where the filter has the bit of a quadruple: near those of the quadruples with a largest vertex near by. */
+  std::size_t
+  FilterBit(std::uint64_t others, VertexId largest) const;
+
   /** Compressed rows: the row of a vertex holds the tuples of which it is the largest, by the others, ascending. The
    * other three of a quadruple are packed into one number. */
   std::vector<std::size_t>   m_PairRows;
@@ -54,7 +70,8 @@ private:
   std::vector<std::uint64_t> m_Others;
   /** A bit for the hash of each quadruple: most of those that are asked for are not there, and stop here. */
   std::vector<std::uint64_t> m_Filter;
-  int                        m_FilterShift = 0;
+  /** Words of the filter a vertex, in units of 2^-32. */
+  std::uint64_t m_FilterWordsPerVertex = 0;
 };
 
 /** Jaccard indices of the complex and an image (paper, section 4.1). */
