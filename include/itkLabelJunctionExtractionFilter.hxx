@@ -160,14 +160,14 @@ LabelJunctionExtractionFilter<TLabelImage>::SeparateVoidsOf(tissue::JunctionSet 
   voids->SetExteriorLabels(&exterior);
   voids->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   voids->Update();
-  const tissue::Label largest = junctions.cells.back().label;
+  const tissue::Label largest = std::max(junctions.cells.back().label, exterior.label);
   if (voids->GetNumberOfVoids() == 0 ||
       largest > std::numeric_limits<tissue::Label>::max() - static_cast<tissue::Label>(voids->GetNumberOfVoids()))
   {
     return;
   }
   m_Voids = voids->GetOutput();
-  m_FirstVoidLabel = std::max(largest, exterior.label) + 1;
+  m_FirstVoidLabel = largest + 1;
   exterior.numberOfVoids = static_cast<std::int32_t>(voids->GetNumberOfVoids());
   junctions = this->Gather(this->ScanImage(size, exterior), size, exterior);
   m_Voids = nullptr;

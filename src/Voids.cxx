@@ -17,6 +17,20 @@ namespace tissue
 {
 namespace
 {
+/** Of several that become one tuple the one with most comes first, and keeps its position. */
+std::int64_t
+Weight(const Wall & wall)
+{
+  return wall.numberOfFaces;
+}
+
+template <typename TItem>
+std::int64_t
+Weight(const TItem & item)
+{
+  return item.numberOfBlocks;
+}
+
 void
 Join(Wall & wall, const Wall & other)
 {
@@ -35,10 +49,6 @@ Join(TripleLine & line, const TripleLine & other)
 void
 Join(Junction & junction, const Junction & other)
 {
-  if (other.numberOfBlocks > junction.numberOfBlocks)
-  {
-    junction.position = other.position;
-  }
   junction.numberOfBlocks += other.numberOfBlocks;
   junction.numberOfExactBlocks += other.numberOfExactBlocks;
   junction.numberOfClusters += other.numberOfClusters;
@@ -59,7 +69,9 @@ Rename(std::vector<TItem> & items, const TRename & rename)
       renamed.push_back(item);
     }
   }
-  std::stable_sort(renamed.begin(), renamed.end(), [](const TItem & a, const TItem & b) { return a.cells < b.cells; });
+  std::stable_sort(renamed.begin(), renamed.end(), [](const TItem & a, const TItem & b) {
+    return a.cells != b.cells ? a.cells < b.cells : Weight(a) > Weight(b);
+  });
   items.clear();
   for (const TItem & item : renamed)
   {

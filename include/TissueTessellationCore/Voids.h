@@ -15,7 +15,8 @@
 namespace tissue
 {
 /** The junctions with the voids counted to the exterior, as in the paper (section 3.3), which has one exterior vertex:
- * walls, lines and junctions of a void are the exterior's. */
+ * walls, lines and junctions of a void are the exterior's. Numbers of blocks are upper bounds, as a block that sees
+ * two of them counted for each. A junction at several of them has the position of the one with most blocks. */
 JunctionSet
 MergeVoids(const JunctionSet & junctions);
 
