@@ -19,6 +19,8 @@
 #include "TissueTessellationCore/WallRemeshing.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -38,15 +40,42 @@ constexpr int             LastVolumeSteps = 6;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
+/** Few walls, at least one of each pair that crosses, none of `fixed` unless both are: those that cross most come
+ * first.
+ */
 std::vector<WallId>
-CrossingWalls(const WallMesh & mesh, const ParallelFor & parallelFor)
+FewestCrossingWalls(const WallMesh & mesh, const std::set<WallId> & fixed, const ParallelFor & parallelFor)
 {
-  std::set<WallId> walls;
+  std::map<WallId, std::set<WallId>> partners;
   for (const TrianglePair & pair : FindCrossings(mesh, parallelFor))
   {
-    walls.insert({ mesh.wallOfTriangle[pair[0]], mesh.wallOfTriangle[pair[1]] });
+    const WallId a = mesh.wallOfTriangle[pair[0]];
+    const WallId b = mesh.wallOfTriangle[pair[1]];
+    if (fixed.count(a) == 0)
+    {
+      partners[a].insert(b);
+    }
+    if (fixed.count(b) == 0)
+    {
+      partners[b].insert(a);
+    }
   }
-  return { walls.begin(), walls.end() };
+  std::vector<WallId> walls;
+  while (!partners.empty())
+  {
+    const auto   most = std::max_element(partners.begin(), partners.end(), [](const auto & one, const auto & other) {
+      return one.second.size() < other.second.size();
+    });
+    const WallId wall = most->first;
+    walls.push_back(wall);
+    partners.erase(most);
+    for (auto at = partners.begin(); at != partners.end();)
+    {
+      at->second.erase(wall);
+      at = at->second.empty() ? partners.erase(at) : std::next(at);
+    }
+  }
+  return walls;
 }
 
 double
@@ -214,18 +243,12 @@ private:
     std::set<WallId> putBack;
     while (true)
     {
-      std::vector<WallId> walls;
-      for (const WallId wall : CrossingWalls(mesh, m_ParallelFor))
-      {
-        if (putBack.insert(wall).second)
-        {
-          walls.push_back(wall);
-        }
-      }
+      const std::vector<WallId> walls = FewestCrossingWalls(mesh, putBack, m_ParallelFor);
       if (walls.empty())
       {
         return static_cast<std::int64_t>(putBack.size());
       }
+      putBack.insert(walls.begin(), walls.end());
       ReplaceWalls(mesh, old, walls);
     }
   }
