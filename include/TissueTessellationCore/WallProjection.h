@@ -22,8 +22,8 @@ namespace tissue
 class WallProjection
 {
 public:
-  /** `edgeLengths` has a length for each wall, `corners` the places of the first points. The volume and the field must
-   * outlive this object. */
+  /** `edgeLengths` has a length for each wall, `corners` the places of the first points. The volume, the field and the
+   * faces must outlive this object. */
   WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
                  const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                  const std::vector<Point> & corners);
