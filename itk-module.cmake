@@ -9,10 +9,14 @@ itk_module(TissueTessellation
     ITKCommon
     ITKConnectedComponents
     ITKDistanceMap
+    ITKImageGrid
     ITKImageIntensity
     ITKImageSources
     ITKLabelMap
+    ITKMathematicalMorphology
+    ITKSmoothing
     ITKThresholding
+    ITKWatersheds
   TEST_DEPENDS
     ITKTestKernel
     ITKGoogleTest
