@@ -61,7 +61,7 @@ public:
   AddTriangle(const Solid & solid)
   {
     const auto & c = solid.corners;
-    const double step = std::min({ m_Mask.steps[0], m_Mask.steps[1], m_Mask.steps[2] });
+    const double step = std::min({ m_Mask.grid.steps[0], m_Mask.grid.steps[1], m_Mask.grid.steps[2] });
     const double longest = std::max({ Distance(c[0], c[1]), Distance(c[1], c[2]), Distance(c[2], c[0]) });
     const int    n = std::max(1, static_cast<int>(std::ceil(longest / step)));
     for (int i = 0; i <= n; ++i)
@@ -96,9 +96,9 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       const double first = i == 2 ? m_First : 0.0;
-      const double last = (i == 2 ? m_End : m_Mask.size[i]) - 1.0;
-      const double lower = (box.lower[i] - m_Mask.lower[i]) / m_Mask.steps[i] - 0.5;
-      const double upper = (box.upper[i] - m_Mask.lower[i]) / m_Mask.steps[i] - 0.5;
+      const double last = (i == 2 ? m_End : m_Mask.grid.size[i]) - 1.0;
+      const double lower = (box.lower[i] - m_Mask.grid.lower[i]) / m_Mask.grid.steps[i] - 0.5;
+      const double upper = (box.upper[i] - m_Mask.grid.lower[i]) / m_Mask.grid.steps[i] - 0.5;
       from[i] = static_cast<std::int32_t>(std::clamp(std::floor(lower), first, last));
       to[i] = static_cast<std::int32_t>(std::clamp(std::ceil(upper), first, last));
     }
@@ -108,8 +108,8 @@ private:
       {
         for (std::int32_t x = from[0]; x <= to[0]; ++x)
         {
-          std::uint8_t & inside = m_Mask.inside[m_Mask.Offset(x, y, z)];
-          if (inside == 0 && isInside(m_Mask.Position(x, y, z)))
+          std::uint8_t & inside = m_Mask.inside[m_Mask.grid.Offset(x, y, z)];
+          if (inside == 0 && isInside(m_Mask.grid.Position(x, y, z)))
           {
             inside = 1;
           }
@@ -132,7 +132,7 @@ SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & cent
   {
     if (t[0] == ExteriorVertex)
     {
-      // Positive, and seen from the exterior: the other three turn the other way from inside.
+      // The tetrahedron being positive, its three cells turn clockwise seen from the exterior.
       const Point normal = Cross(centers[t[2]] - centers[t[1]], centers[t[3]] - centers[t[1]]);
       for (int i = 1; i < 4; ++i)
       {
@@ -178,23 +178,6 @@ CollectSolids(const AdjacencyComplex & complex, const std::vector<Point> & cente
   return solids;
 }
 
-TissueMask
-MakeGrid(const Box & box, double step)
-{
-  TissueMask mask;
-  mask.lower = box.lower;
-  std::size_t count = 1;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double extent = box.upper[i] - box.lower[i];
-    mask.size[i] = std::max(1, static_cast<std::int32_t>(std::lround(extent / step)));
-    mask.steps[i] = extent / mask.size[i];
-    count *= static_cast<std::size_t>(mask.size[i]);
-  }
-  mask.inside.assign(count, 0);
-  return mask;
-}
-
 /** What the sides of the box cannot be reached from becomes tissue. */
 void
 FillVoids(TissueMask & mask)
@@ -202,14 +185,14 @@ FillVoids(TissueMask & mask)
   constexpr std::uint8_t   outside = 2;
   std::vector<std::size_t> open;
   const auto               visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-    std::uint8_t & value = mask.inside[mask.Offset(x, y, z)];
+    std::uint8_t & value = mask.inside[mask.grid.Offset(x, y, z)];
     if (value == 0)
     {
       value = outside;
-      open.push_back(mask.Offset(x, y, z));
+      open.push_back(mask.grid.Offset(x, y, z));
     }
   };
-  const auto & size = mask.size;
+  const auto & size = mask.grid.size;
   for (std::int32_t z = 0; z < size[2]; ++z)
   {
     for (std::int32_t y = 0; y < size[1]; ++y)
@@ -250,6 +233,31 @@ FillVoids(TissueMask & mask)
   }
 }
 } // namespace
+
+std::size_t
+TissueGrid::OffsetAt(const Point & position) const
+{
+  std::array<std::int32_t, 3> index;
+  for (int i = 0; i < 3; ++i)
+  {
+    index[i] = static_cast<std::int32_t>(std::clamp((position[i] - lower[i]) / steps[i], 0.0, size[i] - 1.0));
+  }
+  return Offset(index[0], index[1], index[2]);
+}
+
+TissueGrid
+MakeTissueGrid(const Box & box, double step)
+{
+  TissueGrid grid;
+  grid.lower = box.lower;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double extent = box.upper[i] - box.lower[i];
+    grid.size[i] = static_cast<std::int32_t>(std::max(1L, std::lround(extent / step)));
+    grid.steps[i] = extent / grid.size[i];
+  }
+  return grid;
+}
 
 std::vector<double>
 EstimateSurfaceDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers,
@@ -319,16 +327,16 @@ EstimateSurfaceDepths(const AdjacencyComplex & complex, const std::vector<Point>
 
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                   const std::vector<double> & depths, const Box & box, double step, const ParallelFor & parallelFor)
+                   const std::vector<double> & depths, const TissueGrid & grid, const ParallelFor & parallelFor)
 {
   constexpr std::int32_t   planesAtATime = 4;
   const std::vector<Solid> solids = CollectSolids(complex, centers, depths);
-  TissueMask               mask = MakeGrid(box, step);
-  RunFor(parallelFor, (mask.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {
+  TissueMask               mask{ grid, std::vector<std::uint8_t>(grid.NumberOfPoints(), 0) };
+  RunFor(parallelFor, (mask.grid.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {
     const auto   first = static_cast<std::int32_t>(part) * planesAtATime;
-    const auto   end = std::min(first + planesAtATime, mask.size[2]);
-    const double lower = mask.lower[2] + first * mask.steps[2];
-    const double upper = mask.lower[2] + end * mask.steps[2];
+    const auto   end = std::min(first + planesAtATime, mask.grid.size[2]);
+    const double lower = mask.grid.lower[2] + first * mask.grid.steps[2];
+    const double upper = mask.grid.lower[2] + end * mask.grid.steps[2];
     MaskSlab     slab(mask, first, end);
     for (const Solid & solid : solids)
     {
@@ -347,24 +355,24 @@ SampleMask(const TissueMask & mask)
 {
   constexpr std::int32_t brick = 4;
   TissueSamples          samples;
-  samples.boxSize = mask.steps;
-  const double radius = 0.5 * (brick - 1) * Norm(mask.steps);
-  for (std::int32_t z0 = 0; z0 < mask.size[2]; z0 += brick)
+  samples.boxSize = mask.grid.steps;
+  const double radius = 0.5 * (brick - 1) * Norm(mask.grid.steps);
+  for (std::int32_t z0 = 0; z0 < mask.grid.size[2]; z0 += brick)
   {
-    for (std::int32_t y0 = 0; y0 < mask.size[1]; y0 += brick)
+    for (std::int32_t y0 = 0; y0 < mask.grid.size[1]; y0 += brick)
     {
-      for (std::int32_t x0 = 0; x0 < mask.size[0]; x0 += brick)
+      for (std::int32_t x0 = 0; x0 < mask.grid.size[0]; x0 += brick)
       {
         const std::size_t before = samples.points.size();
-        for (std::int32_t z = z0; z < std::min(z0 + brick, mask.size[2]); ++z)
+        for (std::int32_t z = z0; z < std::min(z0 + brick, mask.grid.size[2]); ++z)
         {
-          for (std::int32_t y = y0; y < std::min(y0 + brick, mask.size[1]); ++y)
+          for (std::int32_t y = y0; y < std::min(y0 + brick, mask.grid.size[1]); ++y)
           {
-            for (std::int32_t x = x0; x < std::min(x0 + brick, mask.size[0]); ++x)
+            for (std::int32_t x = x0; x < std::min(x0 + brick, mask.grid.size[0]); ++x)
             {
-              if (mask.inside[mask.Offset(x, y, z)] != 0)
+              if (mask.inside[mask.grid.Offset(x, y, z)] != 0)
               {
-                samples.points.push_back(mask.Position(x, y, z));
+                samples.points.push_back(mask.grid.Position(x, y, z));
               }
             }
           }
@@ -372,7 +380,7 @@ SampleMask(const TissueMask & mask)
         if (samples.points.size() > before)
         {
           const Point center =
-            0.5 * (mask.Position(x0, y0, z0) + mask.Position(x0 + brick - 1, y0 + brick - 1, z0 + brick - 1));
+            0.5 * (mask.grid.Position(x0, y0, z0) + mask.grid.Position(x0 + brick - 1, y0 + brick - 1, z0 + brick - 1));
           samples.groups.push_back({ center, radius, samples.points.size() });
         }
       }

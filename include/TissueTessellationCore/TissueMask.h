@@ -17,16 +17,20 @@
 
 namespace tissue
 {
-/** \brief Where a tissue is, on a grid that fills a box. */
-struct TissueMask
+/** Points at the middle of equal boxes, which fill a larger one. */
+struct TissueGrid
 {
   std::array<std::int32_t, 3> size = { { 0, 0, 0 } };
   /** The corner of the box, half a step before the first grid point. */
   Point lower = { { 0.0, 0.0, 0.0 } };
   /** Between grid points along each axis. */
   Point steps = { { 1.0, 1.0, 1.0 } };
-  /** 1 in the tissue, 0 outside; the first axis fastest. */
-  std::vector<std::uint8_t> inside;
+
+  std::size_t
+  NumberOfPoints() const
+  {
+    return static_cast<std::size_t>(size[0]) * size[1] * size[2];
+  }
 
   Point
   Position(std::int32_t x, std::int32_t y, std::int32_t z) const
@@ -34,11 +38,28 @@ struct TissueMask
     return { { lower[0] + (x + 0.5) * steps[0], lower[1] + (y + 0.5) * steps[1], lower[2] + (z + 0.5) * steps[2] } };
   }
 
+  /** Of a grid point in the order of the points, the first axis fastest. */
   std::size_t
   Offset(std::int32_t x, std::int32_t y, std::int32_t z) const
   {
     return (static_cast<std::size_t>(z) * size[1] + y) * size[0] + x;
   }
+
+  /** Of the grid point whose box holds the position, or the nearest one. */
+  std::size_t
+  OffsetAt(const Point & position) const;
+};
+
+/** The grid of about the given distance of points along each axis, a whole number of them. */
+TissueGrid
+MakeTissueGrid(const Box & box, double step);
+
+/** Where a tissue is, by the points of a grid. */
+struct TissueMask
+{
+  TissueGrid grid;
+  /** 1 in the tissue, 0 outside. */
+  std::vector<std::uint8_t> inside;
 };
 
 /** How far the surface of the tissue is estimated to be from each cell centre at it; 0 for cells that are not.
@@ -56,10 +77,10 @@ EstimateSurfaceDepths(const AdjacencyComplex & complex, const std::vector<Point>
  *
  * \param complex cleaned (CleanSurface()).
  * \param depths a length a vertex, of those at the surface (EstimateSurfaceDepths()).
- * \param step about the distance of grid points, which is such that a whole number of them fills the box. */
+ * \param grid of the box and as fine as the mask is to be. */
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                   const std::vector<double> & depths, const Box & box, double step,
+                   const std::vector<double> & depths, const TissueGrid & grid,
                    const ParallelFor & parallelFor = ParallelFor());
 
 /** The grid points in the tissue, in small groups. */
