@@ -145,8 +145,7 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
   };
   try
   {
-    const auto labels =
-      tissue::EstimateTissue(this->MakePoints(), m_Grid, tissue::CentroidFitOptions(), MakeParallelFor(this), progress);
+    const auto labels = tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeParallelFor(this), progress);
     std::transform(labels.begin(), labels.end(), this->GetOutput()->GetBufferPointer(), [](std::int32_t label) {
       return static_cast<LabelPixelType>(label);
     });

@@ -6,11 +6,11 @@
  *=========================================================================*/
 #include "TissueTessellationCore/CentroidFit.h"
 
-#include "TissueTessellationCore/CellMoments.h"
 #include "TissueTessellationCore/SymmetricEigen.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <cmath>
+#include <utility>
 
 namespace tissue
 {
@@ -18,10 +18,12 @@ namespace
 {
 constexpr double SeedStep = 0.7;
 constexpr double MetricMixing = 0.3;
+/** How much of its own shape a cell's metric takes on; from about 0.5 on shapes feed themselves. */
+constexpr double SelfAnisotropy = 0.3;
 
 /** The logarithm of a cell's metric: against its shape, of whatever size it is. */
 Metric
-LogMetric(const Metric & covariance, double selfAnisotropy)
+LogMetric(const Metric & covariance)
 {
   Metric       log = MapEigenvalues(covariance, [](double value) { return std::log(value); });
   const double mean = (log[0] + log[3] + log[5]) / 3.0;
@@ -31,44 +33,48 @@ LogMetric(const Metric & covariance, double selfAnisotropy)
   }
   for (double & value : log)
   {
-    value *= -selfAnisotropy;
+    value *= -SelfAnisotropy;
   }
   return log;
 }
 } // namespace
 
-std::vector<MetricSeed>
-FitCentroids(const TissueSamples & samples, const std::vector<Point> & points, const CentroidFitOptions & options,
-             const ParallelFor & parallelFor, const ProgressFunction & progress)
+CentroidFit::CentroidFit(std::vector<Point> points)
+  : m_Points(std::move(points))
+  , m_Seeds(m_Points.size())
+  , m_LogMetrics(m_Points.size(), Metric{ { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } })
 {
-  std::vector<MetricSeed> seeds(points.size());
-  std::vector<Metric>     logMetrics(points.size(), Metric{ { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } });
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < m_Points.size(); ++i)
   {
-    seeds[i].position = points[i];
+    m_Seeds[i].position = m_Points[i];
   }
-  for (int sweep = 0; sweep < options.numberOfSweeps; ++sweep)
+}
+
+void
+CentroidFit::Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor)
+{
+  const auto cellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), samples, parallelFor);
+  const auto cells = MeasureCells(samples.points, cellOfSample, m_Seeds.size(), samples.boxSize);
+  RunFor(parallelFor, m_Seeds.size(), [&](std::size_t i) { this->Adapt(i, cells[i], relaxation); });
+}
+
+void
+CentroidFit::Adapt(std::size_t cell, const CellMoments & moments, double relaxation)
+{
+  Point & position = m_Seeds[cell].position;
+  if (moments.numberOfPoints == 0)
   {
-    const auto cellOfSample = AssignSamples(AnisotropicTessellation(seeds), samples, parallelFor);
-    const auto cells = MeasureCells(samples.points, cellOfSample, points.size(), samples.boxSize);
-    RunFor(parallelFor, seeds.size(), [&](std::size_t i) {
-      Point & position = seeds[i].position;
-      if (cells[i].numberOfPoints == 0)
-      {
-        position = points[i];
-        return;
-      }
-      position = position + SeedStep * (points[i] - cells[i].mean);
-      position = position + options.relaxation * (points[i] - position);
-      const Metric target = LogMetric(cells[i].covariance, options.selfAnisotropy);
-      for (std::size_t k = 0; k < target.size(); ++k)
-      {
-        logMetrics[i][k] += MetricMixing * (target[k] - logMetrics[i][k]);
-      }
-      seeds[i].metric = MapEigenvalues(logMetrics[i], [](double value) { return std::exp(value); });
-    });
-    Report(progress, static_cast<double>(sweep + 1) / options.numberOfSweeps);
+    position = m_Points[cell];
+    return;
   }
-  return seeds;
+  position = position + SeedStep * (m_Points[cell] - moments.mean);
+  position = position + relaxation * (m_Points[cell] - position);
+  Metric &     log = m_LogMetrics[cell];
+  const Metric target = LogMetric(moments.covariance);
+  for (std::size_t k = 0; k < target.size(); ++k)
+  {
+    log[k] += MetricMixing * (target[k] - log[k]);
+  }
+  m_Seeds[cell].metric = MapEigenvalues(log, [](double value) { return std::exp(value); });
 }
 } // namespace tissue

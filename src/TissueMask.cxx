@@ -123,30 +123,6 @@ private:
   std::int32_t m_End;
 };
 
-/** Of each vertex at the surface, the unit normal out of the tissue, from the areas of its surface triangles. */
-std::vector<Point>
-SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & centers)
-{
-  std::vector<Point> normals(centers.size(), Point{ { 0.0, 0.0, 0.0 } });
-  for (const VertexQuadruple & t : complex.GetTetrahedra())
-  {
-    if (t[0] == ExteriorVertex)
-    {
-      // The tetrahedron being positive, its three cells turn clockwise seen from the exterior.
-      const Point normal = Cross(centers[t[2]] - centers[t[1]], centers[t[3]] - centers[t[1]]);
-      for (int i = 1; i < 4; ++i)
-      {
-        normals[t[i]] = normals[t[i]] - normal;
-      }
-    }
-  }
-  for (Point & normal : normals)
-  {
-    normal = Normalized(normal);
-  }
-  return normals;
-}
-
 std::vector<Solid>
 CollectSolids(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<double> & depths)
 {
@@ -257,72 +233,6 @@ MakeTissueGrid(const Box & box, double step)
     grid.steps[i] = extent / grid.size[i];
   }
   return grid;
-}
-
-std::vector<double>
-EstimateSurfaceDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                      const std::vector<double> & spacings, double fraction)
-{
-  constexpr double                 mostOfSpacing = 0.6;
-  const std::vector<Point>         normals = SurfaceNormals(complex, centers);
-  std::vector<std::vector<double>> heights(centers.size());
-  const auto                       edges = complex.GetEdges();
-  for (const AdjacencyComplex::Edge & edge : edges)
-  {
-    const auto [u, v] = edge.vertices;
-    if (u != ExteriorVertex)
-    {
-      const Point  offset = centers[v] - centers[u];
-      const double least = 0.3 * Norm(offset);
-      const double ofU = -Dot(offset, normals[u]);
-      const double ofV = Dot(offset, normals[v]);
-      if (ofU > least)
-      {
-        heights[u].push_back(ofU);
-      }
-      if (ofV > least)
-      {
-        heights[v].push_back(ofV);
-      }
-    }
-  }
-  std::vector<double> depths(centers.size(), 0.0);
-  for (std::size_t v = 1; v < centers.size(); ++v)
-  {
-    if (complex.FindEdge(ExteriorVertex, static_cast<VertexId>(v)) != nullptr)
-    {
-      std::vector<double> & own = heights[v];
-      double                height = spacings[v];
-      if (!own.empty())
-      {
-        const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-        std::nth_element(own.begin(), middle, own.end());
-        height = *middle;
-      }
-      depths[v] = std::min(fraction * height, mostOfSpacing * spacings[v]);
-    }
-  }
-  std::vector<double> sums(centers.size(), 0.0);
-  std::vector<int>    counts(centers.size(), 0);
-  for (const AdjacencyComplex::Edge & edge : edges)
-  {
-    const auto [u, v] = edge.vertices;
-    if (depths[u] > 0.0 && depths[v] > 0.0)
-    {
-      sums[u] += depths[v];
-      sums[v] += depths[u];
-      ++counts[u];
-      ++counts[v];
-    }
-  }
-  for (std::size_t v = 1; v < centers.size(); ++v)
-  {
-    if (counts[v] > 0)
-    {
-      depths[v] = 0.5 * (depths[v] + sums[v] / counts[v]);
-    }
-  }
-  return depths;
 }
 
 TissueMask

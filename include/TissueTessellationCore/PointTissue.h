@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_PointTissue_h
 #define TissueTessellationCore_PointTissue_h
 
-#include "TissueTessellationCore/CentroidFit.h"
+#include "TissueTessellationCore/Progress.h"
 #include "TissueTessellationCore/TissueMask.h"
 
 #include <vector>
@@ -27,6 +27,9 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
 /** \brief The label image of a tissue as its cells' centres tell it: where the tissue is, and the tessellation of it
  * that has its cells' centroids on the points.
  *
+ * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
+ * seeds go for it tells how exact they are, and in the last sweeps the seeds are held back accordingly.
+ *
  * Every point has a cell. The result does not depend on the number of threads.
  * \param grid of the box that is all there is of the tissue: what is outside of it is exterior, and cells may be cut by
  * its sides.
@@ -35,7 +38,7 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
  * or not in the box.
  * \throws Aborted where `progress` asks to stop. */
 std::vector<std::int32_t>
-EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const CentroidFitOptions & options,
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid,
                const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
 } // namespace tissue
 

@@ -62,21 +62,13 @@ struct TissueMask
   std::vector<std::uint8_t> inside;
 };
 
-/** How far the surface of the tissue is estimated to be from each cell centre at it; 0 for cells that are not.
- *
- * It is `fraction` times the median height of the centre above those of its neighbours below it, at most 0.6 of the
- * local spacing, evened out between neighbours. */
-std::vector<double>
-EstimateSurfaceDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                      const std::vector<double> & spacings, double fraction);
-
 /** \brief Estimates where a tissue is from the centres of its cells alone.
  *
  * It is what lies within the tetrahedra of a cleaned complex, or nearer to its surface triangles than their corners'
  * depths; what this encloses on all sides belongs to it, what is outside of the box does not.
  *
  * \param complex cleaned (CleanSurface()).
- * \param depths a length a vertex, of those at the surface (EstimateSurfaceDepths()).
+ * \param depths of the surface below each vertex, 0 for those that are not at it (TissueSurface.h).
  * \param grid of the box and as fine as the mask is to be. */
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
