@@ -1,0 +1,44 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef PointFile_h
+#define PointFile_h
+
+#include "TissueTessellationCore/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace tissue
+{
+/** Points of a file in physical coordinates (LPS). */
+struct PointFile
+{
+  std::vector<Point> points;
+  /** Of each point; empty where the file has none. */
+  std::vector<Label> labels;
+  /** Of each point where it is in the file, for messages: "line 7". */
+  std::vector<std::string> places;
+};
+
+/** Whether the name ends in one of the extensions of a point file: .csv, .fcsv, .vtp. */
+bool
+IsPointFile(const std::string & path);
+
+/** \brief Reads the points of a file.
+ *
+ * - `.csv`: a line of column names, among them x, y and z (or CenterX ..., or with a unit, as x_um), and optionally
+ *   Label; or lines of three numbers without names. Separated by commas, semicolons or tabs.
+ * - `.fcsv`: markups of 3D Slicer; RAS coordinates, the default of its older versions, become LPS.
+ * - `.vtp`: the points of VTK's polygonal data.
+ *
+ * \throws std::runtime_error: no such file, missing columns, text in place of a number, a number that is not finite,
+ * with the place in the file. */
+PointFile
+ReadPointFile(const std::string & path);
+} // namespace tissue
+
+#endif
