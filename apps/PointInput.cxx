@@ -30,6 +30,7 @@ struct LabelledPoints
 {
   std::vector<Point> points;
   std::vector<Label> labels;
+  Label              exteriorLabel = 0;
 };
 
 /** In the order of their labels; those of a file without are numbered from 1 on. Points at the place of an earlier one
@@ -87,7 +88,8 @@ ReadCenters(const std::string & path, ProgressBar & progress, TissueInput & inpu
   const TissueInput image = ReadTissue(options, progress);
   input.warnings = image.warnings;
   input.readSeconds = image.readSeconds;
-  LabelledPoints            result;
+  LabelledPoints result;
+  result.exteriorLabel = image.exteriorLabel;
   const std::vector<Cell> & cells = image.junctions->GetJunctionSet().cells;
   for (std::size_t v = 1; v < cells.size(); ++v)
   {
@@ -137,13 +139,14 @@ MakeLabelImage(const std::vector<Point> & points, const itk::ImageBase<3> * box,
 
 /** Gives the cells, numbered from 1 on in the order of the points, the labels of these. */
 void
-NameCells(const std::vector<Label> & labels, TissueInput & input)
+NameCells(const LabelledPoints & points, TissueInput & input)
 {
   JunctionSet junctions = input.junctions->GetJunctionSet();
   for (std::size_t v = 1; v < junctions.cells.size(); ++v)
   {
-    junctions.cells[v].label = labels[static_cast<std::size_t>(junctions.cells[v].label - 1)];
+    junctions.cells[v].label = points.labels[static_cast<std::size_t>(junctions.cells[v].label - 1)];
   }
+  junctions.cells[ExteriorVertex].label = points.exteriorLabel;
   input.junctions->SetJunctionSet(std::move(junctions));
 }
 } // namespace
@@ -155,8 +158,9 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
   progress.Begin("Reading");
   const LabelledPoints points =
     options.centersOf.empty() ? ReadPoints(options.labels, input) : ReadCenters(options.centersOf, progress, input);
+  input.exteriorLabel = points.exteriorLabel;
   input.numberOfPoints = points.points.size();
-  JunctionSet cells = MakePointJunctions(points.points, points.labels);
+  JunctionSet cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
   const bool  hasMembranes = !options.membrane.file.empty();
   if (options.preset == "paper" && !hasMembranes)
   {
@@ -185,7 +189,8 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
   }
   DescribeImage(labels.GetPointer(), input);
   ExtractTissueJunctions(labels.GetPointer(), options, progress, input);
-  NameCells(points.labels, input);
+  input.exteriorLabel = points.exteriorLabel;
+  NameCells(points, input);
   return input;
 }
 } // namespace tissue

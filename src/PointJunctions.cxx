@@ -13,7 +13,7 @@
 namespace tissue
 {
 JunctionSet
-MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels)
+MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels, Label exteriorLabel)
 {
   constexpr std::size_t minimum = 4;
   if (points.size() < minimum)
@@ -28,12 +28,17 @@ MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> &
   }
   JunctionSet result;
   result.cells.resize(1);
+  result.cells[ExteriorVertex].label = exteriorLabel;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (labels[i] <= result.cells.back().label)
+    if (labels[i] == exteriorLabel)
+    {
+      throw std::invalid_argument("Label " + std::to_string(labels[i]) + " of a point is the exterior's");
+    }
+    if (i > 0 && labels[i] <= labels[i - 1])
     {
       throw std::invalid_argument("Label " + std::to_string(labels[i]) + " comes after " +
-                                  std::to_string(result.cells.back().label) + ", labels must ascend from above 0");
+                                  std::to_string(labels[i - 1]) + ", labels must ascend");
     }
     for (const double coordinate : points[i])
     {

@@ -88,3 +88,34 @@ TEST(ReferenceAdjacency, RenumberedHoldsTheSameTuplesByTheirNewIds)
     EXPECT_TRUE(renumbered.HasPair(ids[pair[0]], ids[pair[1]]));
   }
 }
+
+TEST(ReferenceAdjacency, OverlapOfTetrahedraOverOtherVertices)
+{
+  const AdjacencyComplex       complex(6, Bipyramid(3));
+  const ReferenceAdjacency     reference(JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3))));
+  std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+  // The same vertices by other ids, one tetrahedron twice.
+  const std::vector<VertexId> ids{ 0, 3, 1, 5, 2, 4 };
+  std::vector<VertexId>       idsBack(6);
+  for (VertexId v = 0; v < 6; ++v)
+  {
+    idsBack[ids[v]] = v;
+  }
+  for (VertexQuadruple & t : tetrahedra)
+  {
+    t = { { idsBack[t[0]], idsBack[t[1]], idsBack[t[2]], idsBack[t[3]] } };
+  }
+  tetrahedra.push_back(tetrahedra.front());
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, ids, reference).adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, ids, reference).adjacency4, 1.0);
+
+  // A vertex without a counterpart has five of the 15 pairs, and so many of the nine quadruples.
+  std::vector<VertexId> unknown = ids;
+  unknown[idsBack[5]] = -1;
+  const auto has = [](const Junction & junction) { return junction.cells[3] == 5; };
+  const auto junctions = JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3))).junctions;
+  const auto lost = static_cast<double>(std::count_if(junctions.begin(), junctions.end(), has));
+  ASSERT_GT(lost, 2.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, reference).adjacency2, 10.0 / 20.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, reference).adjacency4, (9.0 - lost) / (9.0 + lost));
+}

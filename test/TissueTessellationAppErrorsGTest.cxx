@@ -15,26 +15,6 @@ namespace
 class TissueTessellationAppErrors : public TissueTessellationAppTest
 {
 protected:
-  /** Every part must be in the message. */
-  void
-  ExpectRefusal(const std::string & arguments, const std::vector<std::string> & parts, const std::string & before = "")
-  {
-    const std::string files = this->List();
-    EXPECT_EQ(this->Run(arguments, before), 1) << arguments;
-    EXPECT_EQ(m_Output, "") << arguments;
-    EXPECT_EQ(m_Errors.find("TissueTessellation: "), 0u) << arguments << ": " << m_Errors;
-    EXPECT_EQ(m_Errors.find('\n'), m_Errors.size() - 1) << arguments << ": " << m_Errors;
-    for (const std::string & part : parts)
-    {
-      EXPECT_NE(m_Errors.find(part), std::string::npos) << arguments << ": '" << part << "' is not in " << m_Errors;
-    }
-    for (const char * noise : { "ITK ERROR", "0x", ".cxx", ".hxx" })
-    {
-      EXPECT_EQ(m_Errors.find(noise), std::string::npos) << arguments << ": " << m_Errors;
-    }
-    EXPECT_EQ(this->List(), files) << arguments;
-  }
-
   /** Shortens a file of an image by a part of its size. */
   void
   ExpectRefusalOfCutFile(const std::string & name, const std::string & part)

@@ -18,13 +18,16 @@
 #include <itkTIFFImageIO.h>
 #include <itkVTKImageIO.h>
 #include <nlohmann/json.hpp>
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <sys/wait.h>
 
-/** Runs the main program on images made in code, in a folder of its own. */
+/** Runs the main program, or another one, on images made in code, in a folder of its own. */
 class TissueTessellationAppTest : public TemporaryFolderTest
 {
 protected:
@@ -32,8 +35,8 @@ protected:
   int
   Run(const std::string & arguments, const std::string & before = "")
   {
-    const std::string command = "cd " + m_Folder.string() + " && " + before + " " + TISSUE_TESSELLATION_PROGRAM + " " +
-                                arguments + " > out.txt 2> err.txt";
+    const std::string command =
+      "cd " + m_Folder.string() + " && " + before + " " + m_Program + " " + arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
     m_Output = ReadBytes(this->PathOf("out.txt"));
     m_Errors = ReadBytes(this->PathOf("err.txt"));
@@ -114,6 +117,28 @@ protected:
     return labels;
   }
 
+  /** Every part must be in the message. */
+  void
+  ExpectRefusal(const std::string & arguments, const std::vector<std::string> & parts, const std::string & before = "")
+  {
+    const std::string files = this->List();
+    EXPECT_EQ(this->Run(arguments, before), 1) << arguments;
+    EXPECT_EQ(m_Output, "") << arguments;
+    EXPECT_EQ(m_Errors.find(std::filesystem::path(m_Program).filename().string() + ": "), 0u)
+      << arguments << ": " << m_Errors;
+    EXPECT_EQ(m_Errors.find('\n'), m_Errors.size() - 1) << arguments << ": " << m_Errors;
+    for (const std::string & part : parts)
+    {
+      EXPECT_NE(m_Errors.find(part), std::string::npos) << arguments << ": '" << part << "' is not in " << m_Errors;
+    }
+    for (const char * noise : { "ITK ERROR", "0x", ".cxx", ".hxx" })
+    {
+      EXPECT_EQ(m_Errors.find(noise), std::string::npos) << arguments << ": " << m_Errors;
+    }
+    EXPECT_EQ(this->List(), files) << arguments;
+  }
+
+  std::string m_Program = TISSUE_TESSELLATION_PROGRAM;
   std::string m_Output;
   std::string m_Errors;
 };

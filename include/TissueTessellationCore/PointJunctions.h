@@ -13,11 +13,11 @@ namespace tissue
 {
 /** \brief The cells of a tissue of which the centres alone are known: without walls and junctions, and without volumes.
  *
- * \param labels of the cells, above 0 and ascending; the exterior has 0.
+ * \param labels of the cells, ascending; none is the exterior's.
  * \throws std::invalid_argument for fewer than four points, numbers of points and labels that differ, labels that do
- * not ascend from above 0, and a coordinate that is not finite. */
+ * not ascend, one that is the exterior's, and a coordinate that is not finite. */
 JunctionSet
-MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels);
+MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels, Label exteriorLabel = 0);
 } // namespace tissue
 
 #endif

@@ -1,0 +1,214 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+// The program for points, from end to end.
+#include "MembraneImage.h"
+#include "TissueTessellationAppTest.h"
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <fstream>
+#include <iomanip>
+#include <map>
+
+namespace
+{
+using ImageType = itk::Image<unsigned char, 3>;
+
+class NucleiTessellationApp : public TissueTessellationAppTest
+{
+protected:
+  NucleiTessellationApp() { m_Program = NUCLEI_TESSELLATION_PROGRAM; }
+
+  /** A small tissue, `tissue.mha`, and the centres of its cells, `points.csv`. */
+  void
+  SetUp() override
+  {
+    TissueTessellationAppTest::SetUp();
+    m_Tissue = MakeSyntheticTestTissue<unsigned char>();
+    this->WriteImage(m_Tissue.GetPointer(), "tissue.mha");
+    const tissue::JunctionSet junctions = tissue_test::Extract(m_Tissue.GetPointer());
+    for (std::size_t v = 1; v < junctions.cells.size(); ++v)
+    {
+      m_Points[junctions.cells[v].label] = junctions.cells[v].center;
+    }
+    std::ofstream file(this->PathOf("points.csv"));
+    file << "Volume,Label,x_um,y_um,z_um\n" << std::setprecision(17);
+    for (const auto & [label, p] : m_Points)
+    {
+      file << "0," << label << ',' << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+    }
+  }
+
+  nlohmann::json
+  RunAndReport(const std::string & arguments)
+  {
+    EXPECT_EQ(this->Run(arguments + " --report report.json"), 0) << arguments << ": " << m_Errors;
+    return this->ReadReport();
+  }
+
+  ImageType::Pointer                     m_Tissue;
+  std::map<tissue::Label, tissue::Point> m_Points;
+};
+} // namespace
+
+TEST_F(NucleiTessellationApp, MakesSoundWallsOfPointsByBothWays)
+{
+  for (const char * options : { "", " --preset paper" })
+  {
+    const auto report = this->RunAndReport(std::string("points.csv walls.vtp --refinement 0 --box tissue.mha "
+                                                       "--evaluateAgainst tissue.mha") +
+                                           options);
+    EXPECT_EQ(report["program"]["name"], "NucleiTessellation");
+    EXPECT_EQ(report["input"]["points"], m_Points.size());
+    EXPECT_EQ(report["input"]["cells"], m_Points.size());
+    EXPECT_TRUE(report["mesh"]["cellsWithoutTriangles"].empty());
+    EXPECT_TRUE(report["mesh"]["cellsThatAreNoClosedSphere"].empty());
+    EXPECT_EQ(report["evaluation"]["missedCells"], 0);
+    EXPECT_EQ(report["evaluation"]["cellsWithoutCounterpart"], 0);
+    EXPECT_GT(report["evaluation"]["cleaned"]["adjacency4"], report["evaluation"]["delaunay"]["adjacency4"]);
+    EXPECT_GT(report["evaluation"]["optimized"]["adjacency2"], 0.7);
+    const bool isPaper = *options != '\0';
+    EXPECT_EQ(report["options"]["legality"], isPaper ? "geometric" : "combinatorial");
+    EXPECT_EQ(report["mesh"]["meanVolumeError"].is_null(), isPaper);
+  }
+}
+
+TEST_F(NucleiTessellationApp, PaperPresetMakesTheComplexMoreRegular)
+{
+  // Table 2 of the paper.
+  const auto report =
+    this->RunAndReport("--centersOf tissue.mha walls.vtp --preset paper --evaluateAgainst tissue.mha");
+  const auto & stages = report["stages"];
+  EXPECT_LE(stages["optimized"]["neighborhoodError"], 0.07);
+  EXPECT_LT(stages["optimized"]["neighborhoodError"], stages["cleaned"]["neighborhoodError"]);
+  EXPECT_LT(stages["optimized"]["eccentricity"], stages["delaunay"]["eccentricity"]);
+  EXPECT_EQ(stages["optimized"]["invertedTetrahedra"], 0);
+  EXPECT_EQ(report["options"]["corners"], "lifted");
+}
+
+TEST_F(NucleiTessellationApp, LabelsAreThoseOfTheFileOrOfTheImage)
+{
+  ASSERT_EQ(this->Run("points.csv a.vtp --refinement 0 --box tissue.mha"), 0) << m_Errors;
+  ASSERT_EQ(this->Run("--centersOf tissue.mha b.vtp --refinement 0"), 0) << m_Errors;
+  EXPECT_EQ(ReadBytes(this->PathOf("a.vtp")), ReadBytes(this->PathOf("b.vtp")));
+}
+
+TEST_F(NucleiTessellationApp, TheSamePointsInAnyFormatGiveTheSameWalls)
+{
+  std::ofstream             plain(this->PathOf("plain.csv"));
+  std::ofstream             markups(this->PathOf("markups.fcsv"));
+  const vtkNew<vtkPoints>   points;
+  const vtkNew<vtkPolyData> data;
+  points->SetDataTypeToDouble();
+  plain << std::setprecision(17);
+  markups << std::setprecision(17) << "# Markups fiducial file version = 4.10\n# CoordinateSystem = 0\n"
+          << "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
+  for (const auto & [label, p] : m_Points)
+  {
+    plain << p[0] << ';' << p[1] << ';' << p[2] << '\n';
+    markups << "node," << -p[0] << ',' << -p[1] << ',' << p[2] << ",0,0,0,1,1,1,0,F-" << label << ",,\n";
+    points->InsertNextPoint(p.data());
+  }
+  plain.close();
+  markups.close();
+  data->SetPoints(points);
+  const vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(this->PathOf("points.vtp").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  std::set<std::string> meshes;
+  for (const char * file : { "plain.csv", "markups.fcsv", "points.vtp" })
+  {
+    ASSERT_EQ(this->Run(std::string(file) + " walls.vtp --preset paper"), 0) << m_Errors;
+    meshes.insert(ReadBytes(this->PathOf("walls.vtp")));
+  }
+  EXPECT_EQ(meshes.size(), 1u);
+}
+
+TEST_F(NucleiTessellationApp, MembranesBesideThePointsAgreeBetterAndAloneTheyDo)
+{
+  this->WriteImage(tissue_test::MakeMembraneImage<unsigned char>(m_Tissue.GetPointer()).GetPointer(), "membrane.mha");
+  const std::string rest = " walls.vtp --refinement 0 --evaluateAgainst tissue.mha";
+  const auto        without = this->RunAndReport("points.csv --box tissue.mha" + rest);
+  const auto        with = this->RunAndReport("points.csv --membrane membrane.mha" + rest);
+  EXPECT_GT(with["evaluation"]["optimized"]["adjacency4"], without["evaluation"]["optimized"]["adjacency4"]);
+  EXPECT_GT(with["evaluation"]["optimized"]["adjacency4"], 0.4);
+  m_Program = TISSUE_TESSELLATION_PROGRAM;
+  const auto alone = this->RunAndReport("--membrane membrane.mha" + rest);
+  EXPECT_GT(alone["evaluation"]["optimized"]["adjacency4"], 0.3);
+  EXPECT_EQ(alone["input"]["exteriorLabel"], 0);
+}
+
+TEST_F(NucleiTessellationApp, RepeatedPointsAreLeftOutAndSaid)
+{
+  const tissue::Point & p = m_Points.begin()->second;
+  std::ofstream         file(this->PathOf("points.csv"), std::ios::app);
+  file << std::setprecision(17) << "0,2000," << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+  file.close();
+  const auto report = this->RunAndReport("points.csv walls.vtp --preset paper");
+  EXPECT_EQ(report["input"]["points"], m_Points.size());
+  ASSERT_EQ(report["warnings"].size(), 1u);
+  EXPECT_NE(report["warnings"][0].get<std::string>().find("points repeat another and are left out (line "),
+            std::string::npos);
+  EXPECT_NE(m_Errors.find("NucleiTessellation: warning: 1 of "), std::string::npos) << m_Errors;
+}
+
+TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
+{
+  const auto refuse =
+    [this](const std::string & content, const std::vector<std::string> & parts, const std::string & name = "bad.csv") {
+      std::ofstream(this->PathOf(name)) << content;
+      for (const char * preset : { "", " --preset paper" })
+      {
+        this->ExpectRefusal(name + " walls.vtp" + preset, parts);
+      }
+    };
+  const std::string four = "x,y,z\n0,0,0\n5,0,1\n0,5,0\n0,1,5\n";
+  this->ExpectRefusal("none.csv walls.vtp", { "none.csv: no such file" });
+  this->ExpectRefusal("points.txt walls.vtp", { "points.txt", "must end in .csv, .fcsv or .vtp" });
+  refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
+  refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
+  refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
+  refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among the 3 columns" });
+  refuse(four + "1,2\n", { "bad.csv: line 6 has 2 columns, at least 3 are needed" });
+  refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 is no number" });
+  refuse(four + "1,2,\n", { "bad.csv: line 6" });
+  refuse(four + "1,nan,3\n", { "bad.csv: line 6: the coordinate in column 2 is nan, must be finite" });
+  refuse(four + "1,2,inf\n", { "bad.csv: line 6: the coordinate in column 3 is inf" });
+  refuse("x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", { "bad.csv: ", "coplanar" });
+  refuse("x,y,z\n0,0,0\n5,0,0\n0,0,0\n5,0,0\n2,1,0\n", { "bad.csv: There are 3 points" });
+  refuse("Label,x,y,z\n1,0,0,0\n1,5,0,0\n", { "bad.csv: line 3 has the label 1 of line 2" });
+  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: the label '1.5' is no whole number above 0" });
+  refuse("# CoordinateSystem = XYZ\n", { "bad.fcsv: line 1: the coordinate system 'XYZ'" }, "bad.fcsv");
+  refuse("not XML", { "bad.vtp: ", "no VTK file of polygonal data" }, "bad.vtp");
+}
+
+TEST_F(NucleiTessellationApp, OtherFilesAndOptionsThatAreRefused)
+{
+  this->ExpectRefusal("", { "points is required" });
+  this->ExpectRefusal("points.csv", { "walls is required" });
+  this->ExpectRefusal("points.csv walls.vtp --membrane none.mha", { "NucleiTessellation: none.mha: no such file" });
+  this->ExpectRefusal("points.csv walls.vtp --box none.mha", { "NucleiTessellation: none.mha: no such file" });
+  this->ExpectRefusal("points.csv walls.vtp --evaluateAgainst none.mha", { "none.mha: no such file" });
+  this->ExpectRefusal("points.csv walls.vtp --voxelsPerCell 1", { "--voxelsPerCell: 1 is out of range" });
+  this->ExpectRefusal("points.csv walls.vtp --membraneSigma -1", { "--membraneSigma: -1 is out of range" });
+  const auto flat = ImageType::New();
+  flat->SetRegions(m_Tissue->GetLargestPossibleRegion());
+  flat->CopyInformation(m_Tissue);
+  flat->Allocate(true);
+  this->WriteImage(flat.GetPointer(), "flat.mha");
+  this->ExpectRefusal("points.csv walls.vtp --membrane flat.mha", { "flat.mha: All pixels of the image are 0" });
+  flat->SetOrigin(itk::Point<double, 3>(std::array<double, 3>{ { 1000.0, 0.0, 0.0 } }.data()));
+  flat->SetPixel({ { 3, 3, 3 } }, 1);
+  this->WriteImage(flat.GetPointer(), "aside.mha");
+  this->ExpectRefusal("points.csv walls.vtp --box aside.mha", { "points.csv: ", "box" });
+  std::filesystem::copy_file(this->PathOf("tissue.mha"), this->PathOf("judge.vtp"));
+  this->ExpectRefusal("points.csv judge.vtp --evaluateAgainst judge.vtp", { "'judge.vtp': it is the input" });
+}
