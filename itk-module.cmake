@@ -10,8 +10,10 @@ itk_module(TissueTessellation
     ITKConnectedComponents
     ITKDistanceMap
     ITKImageIntensity
+    ITKImageNoise
     ITKImageSources
     ITKLabelMap
+    ITKSmoothing
     ITKThresholding
   TEST_DEPENDS
     ITKTestKernel

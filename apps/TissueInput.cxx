@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,53 +28,19 @@ namespace tissue
 namespace
 {
 constexpr unsigned int Dimension = 3;
-itk::ImageIOBase::Pointer
-OpenImage(const std::string & path)
-{
-  if (std::filesystem::is_directory(path))
-  {
-    throw std::runtime_error("a folder, not an image");
-  }
-  if (!std::filesystem::exists(path))
-  {
-    throw std::runtime_error("no such file");
-  }
-  const itk::ImageIOBase::Pointer io =
-    itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::ImageIOFactory::IOFileModeEnum::ReadMode);
-  if (!io)
-  {
-    throw std::runtime_error("not an image in a format that ITK reads");
-  }
-  io->SetFileName(path);
-  io->ReadImageInformation();
-  return io;
-}
 
 /** Throws where the image, by its header, is no label image. */
 void
 RequireLabelImage(const itk::ImageIOBase * io)
 {
-  const auto require = [](bool isMet, const std::string & message) {
-    if (!isMet)
-    {
-      throw std::runtime_error(message);
-    }
-  };
-  // A trailing axis of one voxel is how some formats write fewer dimensions.
-  unsigned int dimensions = io->GetNumberOfDimensions();
-  while (dimensions > 1 && io->GetDimensions(dimensions - 1) == 1)
-  {
-    --dimensions;
-  }
-  require(dimensions == Dimension,
-          "the image has " + std::to_string(dimensions) + " dimensions, a label image has " +
-            std::to_string(Dimension));
-  require(io->GetNumberOfComponents() == 1,
-          "the image has " + std::to_string(io->GetNumberOfComponents()) + " components a voxel, a label image has 1");
+  RequireThreeDimensions(io, "a label image");
   const auto type = io->GetComponentType();
-  require(type != itk::IOComponentEnum::FLOAT && type != itk::IOComponentEnum::DOUBLE &&
-            type != itk::IOComponentEnum::LDOUBLE && type != itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE,
-          "the image has voxels of type " + itk::ImageIOBase::GetComponentTypeAsString(type) + ", labels are integers");
+  if (type == itk::IOComponentEnum::FLOAT || type == itk::IOComponentEnum::DOUBLE ||
+      type == itk::IOComponentEnum::LDOUBLE || type == itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE)
+  {
+    throw std::runtime_error("the image has voxels of type " + itk::ImageIOBase::GetComponentTypeAsString(type) +
+                             ", labels are integers");
+  }
 }
 
 void
