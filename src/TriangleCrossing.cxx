@@ -42,12 +42,13 @@ FilteredOrientation(const Point & a, const Point & b, const Point & c, const Poi
   return Orientation(a, b, c, d);
 }
 
-/** The triangle turned so that the point comes first. */
+/** The triangle turned so that the point of this position comes first. */
 std::array<Point, 3>
-TurnedTo(const std::vector<Point> & points, const Triangle & t, PointId point)
+TurnedTo(const std::vector<Point> & points, const Triangle & t, int position)
 {
-  const auto i = std::find(t.begin(), t.end(), point) - t.begin();
-  return { { points[t[i % 3]], points[t[(i + 1) % 3]], points[t[(i + 2) % 3]] } };
+  constexpr int next[3] = { 1, 2, 0 };
+  const int     second = next[position];
+  return { { points[t[position]], points[t[second]], points[t[next[second]]] } };
 }
 
 /** Whether all points of a triangle from the given one on are on one side of the plane of another. */
@@ -65,18 +66,44 @@ IsBeside(const std::array<Point, 3> & triangle, int from, const std::array<Point
   return side != 0;
 }
 
+/** Whether the line through the i-th edge of a triangle passes the other; if not, the edges may meet it or not. */
+bool
+EdgePasses(const std::array<Point, 3> & edges, int i, const std::array<Point, 3> & other)
+{
+  const Point & p = edges[i];
+  const Point & q = edges[i < 2 ? i + 1 : 0];
+  const int     first = FilteredOrientation(p, q, other[0], other[1]);
+  const int     second = FilteredOrientation(p, q, other[1], other[2]);
+  return first * second < 0 ||
+         (first + second != 0 && (first + second > 0 ? 1 : -1) == -FilteredOrientation(p, q, other[2], other[0]));
+}
+
 /** Whether the edge opposite to a triangle's first point, which both share, meets the other triangle. */
 bool
 OppositeEdgeMeets(const std::array<Point, 3> & t, const std::array<Point, 3> & other)
 {
   const std::array<Point, 3> edge{ { t[1], t[2], t[2] } };
-  if (!TrianglesMeet(edge, other))
+  if (EdgePasses(t, 1, other) || !TrianglesMeet(edge, other))
   {
     return false;
   }
   // Where all is on one line the shared point can be on that edge.
   const auto isCommon = [&](const Point & p) { return p != t[0] && TrianglesMeet({ { p, p, p } }, other); };
   return !TrianglesMeet(edge, { { t[0], t[0], t[0] } }) || isCommon(t[1]) || isCommon(t[2]);
+}
+
+/** Whether triangles without a shared point meet. */
+bool
+SeparateTrianglesMeet(const std::array<Point, 3> & s, const std::array<Point, 3> & t)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!EdgePasses(s, i, t) || !EdgePasses(t, i, s))
+    {
+      return TrianglesMeet(s, t);
+    }
+  }
+  return false;
 }
 
 /** Whether triangles that share the edge (a, b) lie on each other, with c and d opposite to it. */
@@ -100,14 +127,20 @@ AreFolded(const Point & a, const Point & b, const Point & c, const Point & d)
 bool
 TrianglesCross(const std::vector<Point> & points, const Triangle & first, const Triangle & second)
 {
-  Triangle shared{};
-  int      numberShared = 0;
-  for (const PointId p : first)
+  PointId shared[3] = { -1, -1, -1 };
+  int     numberShared = 0;
+  int     inFirst = 0;
+  int     inSecond = 0;
+  for (int i = 0; i < 3; ++i)
   {
-    const bool isNew = std::find(shared.begin(), shared.begin() + numberShared, p) == shared.begin() + numberShared;
-    if (isNew && std::find(second.begin(), second.end(), p) != second.end())
+    for (int j = 0; j < 3; ++j)
     {
-      shared[numberShared++] = p;
+      if (first[i] == second[j] && first[i] != shared[0] && first[i] != shared[1])
+      {
+        shared[numberShared++] = first[i];
+        inFirst = i;
+        inSecond = j;
+      }
     }
   }
   if (numberShared == 3)
@@ -122,13 +155,12 @@ TrianglesCross(const std::vector<Point> & points, const Triangle & first, const 
     };
     return AreFolded(points[shared[0]], points[shared[1]], apex(first), apex(second));
   }
-  const bool isAtPoint = numberShared == 1;
-  const auto s = TurnedTo(points, first, isAtPoint ? shared[0] : first[0]);
-  const auto t = TurnedTo(points, second, isAtPoint ? shared[0] : second[0]);
+  const auto s = TurnedTo(points, first, inFirst);
+  const auto t = TurnedTo(points, second, inSecond);
   if (IsBeside(t, numberShared, s) || IsBeside(s, numberShared, t))
   {
     return false;
   }
-  return isAtPoint ? OppositeEdgeMeets(s, t) || OppositeEdgeMeets(t, s) : TrianglesMeet(s, t);
+  return numberShared == 1 ? OppositeEdgeMeets(s, t) || OppositeEdgeMeets(t, s) : SeparateTrianglesMeet(s, t);
 }
 } // namespace tissue

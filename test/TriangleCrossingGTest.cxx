@@ -6,9 +6,13 @@
  *=========================================================================*/
 #include "TissueTessellationCore/TriangleCrossing.h"
 
+#include "TissueTessellationCore/ExactPredicates.h"
+#include "TissueTessellationCore/Random.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -110,6 +114,34 @@ TEST(TriangleCrossing, OfTheSameTriangle)
   EXPECT_TRUE(Cross(points, { { 0, 1, 2 } }, { { 0, 1, 2 } }));
   EXPECT_TRUE(Cross(points, { { 0, 1, 2 } }, { { 0, 2, 1 } }));
   EXPECT_TRUE(CrossApart(flat, flat)) << "by its places";
+}
+
+TEST(TriangleCrossing, FilterKnowsWhatExactArithmeticSays)
+{
+  // On a small grid most positions are special.
+  tissue::Random random(1);
+  const auto     makeTriangle = [&random] {
+    std::array<Point, 3> t;
+    for (Point & p : t)
+    {
+      for (double & x : p)
+      {
+        x = std::floor(4.0 * random.Uniform());
+      }
+    }
+    return t;
+  };
+  int numberOfMeetings = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const auto a = makeTriangle();
+    const auto b = makeTriangle();
+    const bool meet = tissue::TrianglesMeet(a, b);
+    numberOfMeetings += meet ? 1 : 0;
+    ASSERT_EQ(tissue::TrianglesCross({ a[0], a[1], a[2], b[0], b[1], b[2] }, { { 0, 1, 2 } }, { { 3, 4, 5 } }), meet);
+  }
+  EXPECT_GT(numberOfMeetings, 1000);
+  EXPECT_LT(numberOfMeetings, 19000);
 }
 
 TEST(TriangleCrossing, OfASegmentThatIsATriangleByItsPointsAlone)
