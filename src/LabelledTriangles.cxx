@@ -114,6 +114,11 @@ FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctio
   {
     const auto & [points, labels] = mesh.triangles[t];
     RequirePoints(points, t, mesh.points.size());
+    if (labels[0] == labels[1])
+    {
+      throw std::invalid_argument("triangle " + std::to_string(t) + " has label " + std::to_string(labels[0]) +
+                                  " on both sides");
+    }
     result.triangles.push_back(
       { { { first[points[0]], first[points[1]], first[points[2]] } },
         { { VertexOfLabel(labels[0], t, junctions.cells), VertexOfLabel(labels[1], t, junctions.cells) } } });

@@ -44,8 +44,8 @@ struct TrianglesOfLabels
 
 /** The triangles with the cells in place of their labels. Points at the very same place become one, the first of them:
  * triangles of most programs are neighbours by their places alone.
- * \throws std::invalid_argument where a label is neither a cell's nor the exterior's, or a point is out of range or not
- * finite. */
+ * \throws std::invalid_argument where a label is neither a cell's nor the exterior's, or on both sides of a triangle,
+ * or a point is out of range or not finite. */
 LabelledTriangles
 FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctions);
 
