@@ -9,6 +9,7 @@
 #include "ImageFileCheck.h"
 #include "StandardErrorCapture.h"
 #include "TissueTessellationCore/SeparatedCells.h"
+#include "VisitPixelType.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include <itkChangeInformationImageFilter.h>
 #include <itkImageFileReader.h>
@@ -241,6 +242,10 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
   {
     input.volume = itk::MakeLabelVolume(image.GetPointer(), input.junctions->GetJunctionSet());
   }
+  if (options.keepsImage)
+  {
+    input.image = image;
+  }
   input.extractSeconds = stopwatch.Lap();
 }
 } // namespace
@@ -268,33 +273,8 @@ ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress)
   RequireLabelImage(io);
   RequireAllVoxels(options.labels, io);
   input.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
-  switch (io->GetComponentType())
-  {
-    case itk::IOComponentEnum::UCHAR:
-      Process<unsigned char>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::CHAR:
-      Process<signed char>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::USHORT:
-      Process<unsigned short>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::SHORT:
-      Process<short>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::UINT:
-      Process<unsigned int>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::INT:
-      Process<int>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::ULONG:
-    case itk::IOComponentEnum::ULONGLONG:
-      Process<unsigned long long>(io, options, progress, input);
-      break;
-    default:
-      Process<long long>(io, options, progress, input);
-  }
+  input.componentType = io->GetComponentType();
+  VisitPixelType(input.componentType, [&](auto zero) { Process<decltype(zero)>(io, options, progress, input); });
   if (!options.spacing)
   {
     CheckSpacing(io, input);

@@ -12,6 +12,8 @@
 #include "TissueTessellationCore/LabelVolume.h"
 #include "itkTissueJunctions.h"
 
+#include <itkCommonEnums.h>
+
 namespace tissue
 {
 /** A label image as the program takes it: its junctions, and what is to be said of it. */
@@ -20,11 +22,14 @@ struct TissueInput
   itk::TissueJunctions::Pointer junctions;
   /** The labels that the walls are fitted to; none if they are not. */
   std::shared_ptr<const LabelVolume> volume;
-  std::string                        pixelType;
-  std::array<std::size_t, 3>         size{};
-  std::array<double, 3>              spacing{};
-  Label                              exteriorLabel = 0;
-  std::vector<std::string>           warnings;
+  /** The image itself, of the pixels that VisitPixelType() gives of the component type; none unless it is kept. */
+  itk::DataObject::ConstPointer image;
+  itk::IOComponentEnum          componentType = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
+  std::string                   pixelType;
+  std::array<std::size_t, 3>    size{};
+  std::array<double, 3>         spacing{};
+  Label                         exteriorLabel = 0;
+  std::vector<std::string>      warnings;
 
   /** Of the gaps closed; 0 without. Widths and distances are in the image's units. */
   double      closedGapWidth = 0.0;

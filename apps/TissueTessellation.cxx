@@ -39,11 +39,7 @@ CheckOutputs(const TissueTessellationOptions & options)
   for (const auto & [path, content] : options.Outputs())
   {
     OutputFiles::RequireWritable(path);
-    std::error_code isOther;
-    if (fs::equivalent(path, options.labels, isOther))
-    {
-      throw std::runtime_error("Cannot write the " + content + " to '" + path + "': it is the input");
-    }
+    OutputFiles::RequireNotInput(path, options.labels);
     if (!paths.insert(fs::weakly_canonical(fs::absolute(path))).second)
     {
       throw std::runtime_error("Cannot write the " + content + " to '" + path + "': another output has the same name");
