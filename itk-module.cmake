@@ -9,12 +9,15 @@ itk_module(TissueTessellation
     ITKCommon
     ITKConnectedComponents
     ITKDistanceMap
+    ITKImageGrid
     ITKImageIntensity
     ITKImageNoise
     ITKImageSources
     ITKLabelMap
+    ITKMathematicalMorphology
     ITKSmoothing
     ITKThresholding
+    ITKWatersheds
   TEST_DEPENDS
     ITKTestKernel
     ITKGoogleTest

@@ -7,7 +7,7 @@
 #ifndef BlobPicture_h
 #define BlobPicture_h
 
-#include "PointFile.h"
+#include "PointOutput.h"
 #include "ScalarImageInput.h"
 
 namespace tissue

@@ -8,8 +8,6 @@
 
 #include <itk_zlib.h>
 
-#include <itkImageIOFactory.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -40,48 +38,6 @@ CountBytes(const std::string & path)
   return total;
 }
 } // namespace
-
-itk::ImageIOBase::Pointer
-OpenImage(const std::string & path)
-{
-  if (std::filesystem::is_directory(path))
-  {
-    throw std::runtime_error("a folder, not an image");
-  }
-  if (!std::filesystem::exists(path))
-  {
-    throw std::runtime_error("no such file");
-  }
-  const itk::ImageIOBase::Pointer io =
-    itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::ImageIOFactory::IOFileModeEnum::ReadMode);
-  if (!io)
-  {
-    throw std::runtime_error("not an image in a format that ITK reads");
-  }
-  io->SetFileName(path);
-  io->ReadImageInformation();
-  return io;
-}
-
-void
-RequireThreeDimensions(const itk::ImageIOBase * io, const std::string & what)
-{
-  // A trailing axis of one voxel is how some formats write fewer dimensions.
-  unsigned int dimensions = io->GetNumberOfDimensions();
-  while (dimensions > 1 && io->GetDimensions(dimensions - 1) == 1)
-  {
-    --dimensions;
-  }
-  if (dimensions != 3)
-  {
-    throw std::runtime_error("the image has " + std::to_string(dimensions) + " dimensions, " + what + " has 3");
-  }
-  if (io->GetNumberOfComponents() != 1)
-  {
-    throw std::runtime_error("the image has " + std::to_string(io->GetNumberOfComponents()) + " components a voxel, " +
-                             what + " has 1");
-  }
-}
 
 void
 RequireAllVoxels(const std::string & path, const itk::ImageIOBase * io)

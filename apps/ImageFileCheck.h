@@ -14,14 +14,6 @@
 
 namespace tissue
 {
-/** Opens an image and reads its header. \throws std::runtime_error for what is no image that ITK reads. */
-itk::ImageIOBase::Pointer
-OpenImage(const std::string & path);
-
-/** \throws std::runtime_error unless the image has three dimensions and one component a voxel; `what` it is to be. */
-void
-RequireThreeDimensions(const itk::ImageIOBase * io, const std::string & what);
-
 /** \brief Throws std::runtime_error where the file is shorter than the voxels that its header promises.
  *
  * For the formats that ITK reads to a file's end and beyond without a word: NIfTI, GIPL, MRC and binary VTK, gzipped or

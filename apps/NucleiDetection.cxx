@@ -8,7 +8,7 @@
 
 #include "BlobPicture.h"
 #include "OutputFiles.h"
-#include "PointFile.h"
+#include "PointOutput.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
 #include "ScalarImageInput.h"

@@ -6,25 +6,18 @@
  *=========================================================================*/
 #include "PointFile.h"
 
-#include "VTKFiles.h"
-
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
+#include <vtkObject.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -33,415 +26,273 @@ namespace tissue
 {
 namespace
 {
-using Row = std::vector<std::string>;
-
-[[noreturn]] void
-Refuse(const std::string & path, const std::string & reason)
-{
-  throw std::runtime_error("Cannot read points from '" + path + "': " + reason);
-}
+using Fields = std::vector<std::string>;
 
 std::string
-ToLower(std::string text)
+Lower(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
 
 std::string
-Extension(const std::string & path)
-{
-  return ToLower(std::filesystem::path(path).extension().string());
-}
-
-std::string
-Trim(const std::string & text)
+Trimmed(const std::string & text)
 {
   const char * const blanks = " \t\r\"";
   const auto         begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-Row
-SplitAtCommas(const std::string & line)
+Fields
+Split(const std::string & line)
 {
-  Row                cells;
+  const char separator = line.find(',') != std::string::npos ? ',' : line.find(';') != std::string::npos ? ';' : '\t';
+  Fields     fields;
   std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');)
+  for (std::string field; std::getline(stream, field, separator);)
   {
-    cells.push_back(Trim(cell));
+    fields.push_back(Trimmed(field));
   }
-  return cells;
+  return fields;
 }
 
-/** Nothing where the text is no number, whatever the locale. */
+/** A whole text that is a number, also "nan" and "inf". */
 std::optional<double>
 ToNumber(const std::string & text)
 {
-  double       number = 0.0;
-  const char * end = text.data() + text.size();
-  const char * begin = !text.empty() && text.front() == '+' ? text.data() + 1 : text.data();
-  const auto   result = std::from_chars(begin, end, number);
-  return result.ec == std::errc() && result.ptr == end ? std::optional<double>(number) : std::nullopt;
+  char *       end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return text.empty() || end != text.c_str() + text.size() ? std::nullopt : std::optional<double>(value);
 }
 
-/** Where the coordinates are. */
-std::optional<std::array<std::size_t, 3>>
-FindCoordinates(const Row & header)
+/** Which field holds what. */
+struct Columns
 {
-  const auto find = [&header](const auto & hasName) -> std::optional<std::array<std::size_t, 3>> {
-    std::array<std::size_t, 3> columns{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
+  std::array<std::size_t, 3> coordinates = { { 0, 1, 2 } };
+  std::optional<std::size_t> label;
+};
+
+/** The column of an axis: its letter, its letter and a unit, or the letter of a centre. */
+bool
+IsAxis(const std::string & column, char axis)
+{
+  const std::string name = Lower(column);
+  const bool        hasUnit = name.size() > 1 && name[0] == axis && !std::isalnum(static_cast<unsigned char>(name[1]));
+  return name == std::string(1, axis) || hasUnit || name == std::string("center") + axis ||
+         name == std::string("center_") + axis;
+}
+
+Columns
+FindColumns(const Fields & names, const std::string & place)
+{
+  Columns columns;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const char letter = "xyz"[axis];
+    const auto at =
+      std::find_if(names.begin(), names.end(), [letter](const auto & name) { return IsAxis(name, letter); });
+    if (at == names.end())
     {
-      const char letter = "xyz"[axis];
-      const auto at = std::find_if(
-        header.begin(), header.end(), [&](const std::string & name) { return hasName(ToLower(name), letter); });
-      if (at == header.end())
-      {
-        return std::nullopt;
-      }
-      columns[axis] = static_cast<std::size_t>(at - header.begin());
+      throw std::runtime_error(place + ": there is no column " + letter + " among the " + std::to_string(names.size()) +
+                               " columns, which must have x, y and z");
     }
-    return columns;
-  };
-  const auto endsWith = [](const std::string & name, const std::string & end) {
-    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-  };
-  auto columns = find([](const std::string & name, char letter) { return name == std::string(1, letter); });
-  if (!columns)
-  {
-    columns =
-      find([](const std::string & name, char letter) { return name.rfind(std::string(1, letter) + "_", 0) == 0; });
+    columns.coordinates[axis] = static_cast<std::size_t>(at - names.begin());
   }
-  if (!columns)
+  const auto label = std::find_if(names.begin(), names.end(), [](const auto & name) { return Lower(name) == "label"; });
+  if (label != names.end())
   {
-    columns = find([&](const std::string & name, char letter) {
-      return endsWith(name, std::string("_") + letter) || name == std::string("center") + letter;
-    });
+    columns.label = static_cast<std::size_t>(label - names.begin());
   }
   return columns;
 }
 
-struct NumberedRow
+const std::string &
+FieldAt(const Fields & fields, std::size_t column, const std::string & place)
 {
-  std::size_t line;
-  Row         cells;
-};
-
-/** Coordinates, then the other columns, of which one with some text is dropped. */
-PointTable
-ToTable(const std::string & path, const Row & header, const std::vector<NumberedRow> & rows)
-{
-  const auto coordinates = FindCoordinates(header);
-  if (!coordinates)
+  if (column >= fields.size())
   {
-    Refuse(path, "the header has no columns x, y and z");
+    throw std::runtime_error(place + " has " + std::to_string(fields.size()) + " columns, at least " +
+                             std::to_string(column + 1) + " are needed");
   }
-  PointTable                       table;
-  std::vector<bool>                isNumeric(header.size(), true);
-  std::vector<std::vector<double>> values(header.size());
-  for (const NumberedRow & row : rows)
-  {
-    if (row.cells.size() < header.size() &&
-        row.cells.size() <= *std::max_element(coordinates->begin(), coordinates->end()))
-    {
-      Refuse(path,
-             "line " + std::to_string(row.line) + " has " + std::to_string(row.cells.size()) + " columns, the header " +
-               std::to_string(header.size()));
-    }
-    Point point{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::string & text = row.cells[(*coordinates)[axis]];
-      const auto          number = ToNumber(text);
-      if (!number || !std::isfinite(*number))
-      {
-        Refuse(path,
-               "'" + text + "' in line " + std::to_string(row.line) + ", column " + header[(*coordinates)[axis]] +
-                 ", is no finite number");
-      }
-      point[axis] = *number;
-    }
-    table.points.push_back(point);
-    for (std::size_t c = 0; c < header.size(); ++c)
-    {
-      const auto number = c < row.cells.size() ? ToNumber(row.cells[c]) : std::nullopt;
-      isNumeric[c] = isNumeric[c] && number;
-      values[c].push_back(number.value_or(0.0));
-    }
-  }
-  for (std::size_t c = 0; c < header.size(); ++c)
-  {
-    if (isNumeric[c] && std::find(coordinates->begin(), coordinates->end(), c) == coordinates->end())
-    {
-      table.columns.emplace_back(header[c], std::move(values[c]));
-    }
-  }
-  return table;
+  return fields[column];
 }
 
-std::ifstream
-Open(const std::string & path)
+double
+CoordinateAt(const Fields & fields, std::size_t column, const std::string & place)
 {
-  std::ifstream stream(path);
-  if (!stream)
+  const std::string &         text = FieldAt(fields, column, place);
+  const std::optional<double> value = ToNumber(text);
+  if (!value)
   {
-    Refuse(path, "there is no such file, or it may not be read");
+    throw std::runtime_error(place + ": '" + text + "' in column " + std::to_string(column + 1) + " is no number");
   }
-  return stream;
+  if (!std::isfinite(*value))
+  {
+    throw std::runtime_error(place + ": the coordinate in column " + std::to_string(column + 1) + " is " + text +
+                             ", must be finite");
+  }
+  return *value;
 }
 
-PointTable
-ReadTable(const std::string & path)
+Label
+LabelAt(const Fields & fields, std::size_t column, const std::string & place)
 {
-  std::ifstream            stream = Open(path);
-  Row                      header;
-  std::vector<NumberedRow> rows;
-  std::size_t              number = 0;
+  const std::string & text = FieldAt(fields, column, place);
+  Label               label = 0;
+  const auto          result = std::from_chars(text.data(), text.data() + text.size(), label);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || label <= 0)
+  {
+    throw std::runtime_error(place + ": the label '" + text + "' is no whole number above 0");
+  }
+  return label;
+}
+
+void
+AddPoint(const Fields & fields, const Columns & columns, const std::string & place, PointFile & file)
+{
+  Point point{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = CoordinateAt(fields, columns.coordinates[axis], place);
+  }
+  file.points.push_back(point);
+  file.places.push_back(place);
+  if (columns.label)
+  {
+    file.labels.push_back(LabelAt(fields, *columns.label, place));
+  }
+}
+
+PointFile
+ReadCSV(std::istream & stream)
+{
+  PointFile              file;
+  std::optional<Columns> columns;
+  int                    number = 0;
   for (std::string line; std::getline(stream, line);)
   {
-    ++number;
-    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
-    {
-      line.erase(0, 3);
-    }
-    if (Trim(line).empty())
+    const std::string place = "line " + std::to_string(++number);
+    const Fields      fields = Split(line);
+    if (Trimmed(line).empty() || Trimmed(line)[0] == '#')
     {
       continue;
     }
-    if (header.empty())
+    const bool isFirst = !columns;
+    if (isFirst)
     {
-      header = SplitAtCommas(line);
+      const bool hasNames = std::none_of(fields.begin(), fields.end(), [](const auto & f) { return ToNumber(f); });
+      columns = hasNames ? FindColumns(fields, place) : Columns();
+      if (hasNames)
+      {
+        continue;
+      }
     }
-    else
-    {
-      rows.push_back({ number, SplitAtCommas(line) });
-    }
+    AddPoint(fields, *columns, place, file);
   }
-  if (header.empty())
-  {
-    Refuse(path, "it is empty");
-  }
-  return ToTable(path, header, rows);
+  return file;
 }
 
-PointTable
-ReadFiducials(const std::string & path)
+/** Lines "id,x,y,z,...", after comments that tell the coordinate system. */
+PointFile
+ReadMarkups(std::istream & stream)
 {
-  std::ifstream            stream = Open(path);
-  bool                     isLps = false;
-  Row                      header{ "id", "x", "y", "z", "ow", "ox", "oy", "oz", "vis", "sel", "lock", "label" };
-  std::vector<NumberedRow> rows;
-  std::size_t              number = 0;
+  PointFile file;
+  Columns   columns{ { { 1, 2, 3 } }, std::nullopt };
+  bool      isLPS = false;
+  int       number = 0;
   for (std::string line; std::getline(stream, line);)
   {
-    ++number;
-    const auto equals = line.find('=');
-    if (!line.empty() && line.front() == '#')
+    const std::string place = "line " + std::to_string(++number);
+    const std::string text = Trimmed(line);
+    const auto        equals = text.find('=');
+    if (text.empty())
     {
-      const std::string value = equals != std::string::npos ? Trim(line.substr(equals + 1)) : "";
-      if (line.find("CoordinateSystem") != std::string::npos)
-      {
-        isLps = value == "LPS" || value == "1";
-        if (!isLps && value != "RAS" && value != "0")
-        {
-          Refuse(path,
-                 "the coordinate system '" + value + "' in line " + std::to_string(number) + " is neither RAS nor LPS");
-        }
-      }
-      else if (line.find("columns") != std::string::npos)
-      {
-        header = SplitAtCommas(value);
-      }
+      continue;
     }
-    else if (!Trim(line).empty())
+    if (text[0] != '#')
     {
-      rows.push_back({ number, SplitAtCommas(line) });
+      AddPoint(Split(line), columns, place, file);
+    }
+    else if (text.find("CoordinateSystem") != std::string::npos && equals != std::string::npos)
+    {
+      const std::string system = Trimmed(text.substr(equals + 1));
+      if (system != "LPS" && system != "1" && system != "RAS" && system != "0")
+      {
+        throw std::runtime_error(place + ": the coordinate system '" + system + "' is none of LPS, 1, RAS, 0");
+      }
+      isLPS = system == "LPS" || system == "1";
+    }
+    else if (text.find("columns") != std::string::npos && equals != std::string::npos)
+    {
+      columns.coordinates = FindColumns(Split(text.substr(equals + 1)), place).coordinates;
     }
   }
-  PointTable table = ToTable(path, header, rows);
-  // Of a fiducial only its label tells something of the point.
-  const auto isLabel = [](const PointTable::Column & column) { return column.first == "label"; };
-  table.columns.erase(table.columns.begin(), std::find_if(table.columns.begin(), table.columns.end(), isLabel));
-  table.columns.resize(std::min<std::size_t>(table.columns.size(), 1));
-  for (Point & point : table.points)
+  for (Point & point : file.points)
   {
-    point[0] = isLps ? point[0] : -point[0];
-    point[1] = isLps ? point[1] : -point[1];
+    point = isLPS ? point : Point{ { -point[0], -point[1], point[2] } };
   }
-  return table;
+  return file;
 }
 
-PointTable
+PointFile
 ReadPolyData(const std::string & path)
 {
-  Open(path);
-  vtkNew<vtkXMLPolyDataReader> reader;
+  // What is wrong is said in one line, below.
+  vtkObject::GlobalWarningDisplayOff();
+  const vtkNew<vtkXMLPolyDataReader> reader;
   if (!reader->CanReadFile(path.c_str()))
   {
-    Refuse(path, "it is no vtkPolyData");
+    throw std::runtime_error("is no VTK file of polygonal data (.vtp)");
   }
   reader->SetFileName(path.c_str());
   reader->Update();
-  vtkPolyData * const data = reader->GetOutput();
-  PointTable          table;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  if (reader->GetErrorCode() != 0)
   {
-    Point point;
-    data->GetPoint(i, point.data());
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    throw std::runtime_error("is damaged or cut off");
+  }
+  PointFile file;
+  for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    Point point{};
+    reader->GetOutput()->GetPoint(i, point.data());
+    const std::string place = "point " + std::to_string(i);
+    if (!std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); }))
     {
-      Refuse(path, "point " + std::to_string(i) + " is not finite");
+      throw std::runtime_error(place + " has a coordinate that is not finite");
     }
-    table.points.push_back(point);
+    file.points.push_back(point);
+    file.places.push_back(place);
   }
-  for (int a = 0; a < data->GetPointData()->GetNumberOfArrays(); ++a)
-  {
-    vtkDataArray * const array = data->GetPointData()->GetArray(a);
-    if (array != nullptr && array->GetName() != nullptr && array->GetNumberOfComponents() == 1)
-    {
-      std::vector<double> values;
-      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-      {
-        values.push_back(array->GetComponent(i, 0));
-      }
-      table.columns.emplace_back(array->GetName(), std::move(values));
-    }
-  }
-  return table;
-}
-
-void
-AddColumn(const std::string & name, const std::vector<double> & values, vtkFieldData * data)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->AddArray(array);
-}
-
-void
-WriteTable(const PointTable & table, const std::string & path)
-{
-  vtkNew<vtkTable> rows;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    std::vector<double> coordinates;
-    for (const Point & point : table.points)
-    {
-      coordinates.push_back(point[axis]);
-    }
-    AddColumn(std::string(1, "xyz"[axis]), coordinates, rows->GetRowData());
-  }
-  for (const auto & [name, values] : table.columns)
-  {
-    AddColumn(name, values, rows->GetRowData());
-  }
-  WriteCSV(rows, path);
-}
-
-void
-WriteFiducials(const PointTable & table, const std::string & path)
-{
-  std::ofstream stream(path);
-  stream << "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n"
-            "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
-         << std::setprecision(10);
-  const auto * const labels = table.FindColumn("label");
-  for (std::size_t i = 0; i < table.points.size(); ++i)
-  {
-    const Point & p = table.points[i];
-    stream << i + 1 << ',' << p[0] << ',' << p[1] << ',' << p[2] << ",0,0,0,1,1,1,0,";
-    stream << (labels != nullptr ? (*labels)[i] : static_cast<double>(i + 1)) << ",,\n";
-  }
-  stream.close();
-  if (!stream)
-  {
-    throw std::runtime_error("the file could not be written in full");
-  }
-}
-
-void
-WritePolyData(const PointTable & table, const std::string & path)
-{
-  vtkNew<vtkPolyData>  data;
-  vtkNew<vtkPoints>    points;
-  vtkNew<vtkCellArray> vertices;
-  points->SetDataTypeToDouble();
-  for (const Point & p : table.points)
-  {
-    const vtkIdType id = points->InsertNextPoint(p.data());
-    vertices->InsertNextCell(1, &id);
-  }
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  for (const auto & [name, values] : table.columns)
-  {
-    AddColumn(name, values, data->GetPointData());
-  }
-  vtkNew<vtkStringArray> space;
-  space->SetName("SPACE");
-  space->InsertNextValue("LPS");
-  data->GetFieldData()->AddArray(space);
-  WriteXML(data, path);
-}
-} // namespace
-
-const std::vector<double> *
-PointTable::FindColumn(const std::string & name) const
-{
-  const auto at =
-    std::find_if(columns.begin(), columns.end(), [&name](const Column & column) { return column.first == name; });
-  return at != columns.end() ? &at->second : nullptr;
-}
-
-PointTable
-ReadPoints(const std::string & path)
-{
-  const std::string format = Extension(path);
-  if (format == ".csv")
-  {
-    return ReadTable(path);
-  }
-  if (format == ".fcsv")
-  {
-    return ReadFiducials(path);
-  }
-  if (format == ".vtp")
-  {
-    return ReadPolyData(path);
-  }
-  Refuse(path, "points are read from .csv, .fcsv and .vtp");
+  return file;
 }
 
 std::string
-RequirePointFormat(const std::string & path)
+ExtensionOf(const std::string & path)
 {
-  const std::string format = Extension(path);
-  if (format != ".csv" && format != ".fcsv" && format != ".vtp")
-  {
-    throw std::runtime_error("Cannot write points to '" + path + "': they are written to .csv, .fcsv and .vtp");
-  }
-  return format;
+  return Lower(std::filesystem::path(path).extension().string());
+}
+} // namespace
+
+bool
+IsPointFile(const std::string & path)
+{
+  const std::string extension = ExtensionOf(path);
+  return extension == ".csv" || extension == ".fcsv" || extension == ".vtp";
 }
 
-void
-WritePoints(const PointTable & table, const std::string & path, const std::string & format)
+PointFile
+ReadPointFile(const std::string & path)
 {
-  if (format == ".vtp")
+  if (std::filesystem::is_directory(path))
   {
-    WritePolyData(table, path);
+    throw std::runtime_error("a folder, not a file of points");
   }
-  else if (format == ".fcsv")
+  std::ifstream stream(path);
+  if (!stream)
   {
-    WriteFiducials(table, path);
+    throw std::runtime_error("no such file, or it cannot be read");
   }
-  else
-  {
-    WriteTable(table, path);
-  }
+  const std::string extension = ExtensionOf(path);
+  return extension == ".vtp" ? ReadPolyData(path) : extension == ".fcsv" ? ReadMarkups(stream) : ReadCSV(stream);
 }
 } // namespace tissue

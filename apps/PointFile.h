@@ -10,47 +10,35 @@
 #include "TissueTessellationCore/Types.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tissue
 {
-/** Points, in ITK's physical coordinates (LPS), and what is known of each. */
-struct PointTable
+/** Points of a file in physical coordinates (LPS). */
+struct PointFile
 {
-  using Column = std::pair<std::string, std::vector<double>>;
-
   std::vector<Point> points;
-  /** Numbers, one for each point, by name: "label", "scale", ... */
-  std::vector<Column> columns;
-
-  /** The column of this name, or nullptr. */
-  const std::vector<double> *
-  FindColumn(const std::string & name) const;
+  /** Of each point; empty where the file has none. */
+  std::vector<Label> labels;
+  /** Of each point where it is in the file, for messages: "line 7". */
+  std::vector<std::string> places;
 };
 
-/** \brief Reads points from a file, whose format its extension names.
- *
- * - `.csv`: a header, then one row for each point. Columns of the coordinates are named x, y, z, or begin with x_, y_,
- * z_ (x_um), or end with _x, _y, _z (centroid_x) or CenterX, CenterY, CenterZ; upper or lower case; the first such
- *   triple in this order counts. Other columns of numbers alone are kept.
- * - `.fcsv`: fiducials of 3D Slicer, in RAS or LPS as the file says (RAS where it does not).
- * - `.vtp`: the points of a vtkPolyData, with its point arrays of one component.
- *
- * \throws std::runtime_error with file and line for what is no such file, columns that miss, text in the place of
- * numbers, and coordinates that are not finite. */
-PointTable
-ReadPoints(const std::string & path);
+/** Whether the name ends in one of the extensions of a point file: .csv, .fcsv, .vtp. */
+bool
+IsPointFile(const std::string & path);
 
-/** \brief Writes points; formats as above, fiducials in LPS. \throws std::runtime_error where it cannot.
+/** \brief Reads the points of a file.
  *
- * `format` is the extension of the path that the file will have. */
-void
-WritePoints(const PointTable & table, const std::string & path, const std::string & format);
-
-/** \throws std::runtime_error unless the path has an extension that WritePoints() knows; returns it. */
-std::string
-RequirePointFormat(const std::string & path);
+ * - `.csv`: a line of column names, among them x, y and z (or CenterX ..., or with a unit, as x_um), and optionally
+ *   Label; or lines of three numbers without names. Separated by commas, semicolons or tabs.
+ * - `.fcsv`: markups of 3D Slicer; RAS coordinates, the default of its older versions, become LPS.
+ * - `.vtp`: the points of VTK's polygonal data.
+ *
+ * \throws std::runtime_error: no such file, missing columns, text in place of a number, a number that is not finite,
+ * with the place in the file. */
+PointFile
+ReadPointFile(const std::string & path);
 } // namespace tissue
 
 #endif

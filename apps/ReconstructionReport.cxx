@@ -84,6 +84,13 @@ CollectNotes(const ReconstructionReport & report)
   return notes;
 }
 
+/** Points alone have no volumes to compare with. */
+bool
+HasVolumes(const ReconstructionReport & report)
+{
+  return !report.input.junctions->GetJunctionSet().walls.empty();
+}
+
 /** Mean of the cells' relative difference from their volume in the image. */
 double
 MeanVolumeError(const ReconstructionReport & report)
@@ -114,7 +121,7 @@ MeshToJson(const ReconstructionReport & report)
            { "untangledPairs", report.reconstruction.fitting.untangledPairs },
            { "crossingPairs", report.reconstruction.fitting.crossingPairs },
            { "starWalls", report.reconstruction.fitting.starWalls },
-           { "meanVolumeError", MeanVolumeError(report) },
+           { "meanVolumeError", HasVolumes(report) ? Json(MeanVolumeError(report)) : Json() },
            { "triangleQuality",
              { { "mean", quality.mean }, { "fifthPercentile", quality.fifthPercentile }, { "least", quality.least } } },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
@@ -125,6 +132,21 @@ MeshToJson(const ReconstructionReport & report)
 }
 
 Json
+EvaluationToJson(const ReconstructionReport & report)
+{
+  const StageEvaluation evaluation = EvaluateStages(report.reconstruction, *report.judge);
+  const auto            toJson = [](const AdjacencyOverlap & overlap) {
+    return Json{ { "adjacency2", overlap.adjacency2 }, { "adjacency4", overlap.adjacency4 } };
+  };
+  return { { "against", report.options.evaluateAgainst },
+           { "cellsWithoutCounterpart", report.judge->numberOfUnknownCells },
+           { "missedCells", report.judge->numberOfMissedCells },
+           { "delaunay", toJson(evaluation.delaunay) },
+           { "cleaned", toJson(evaluation.cleaned) },
+           { "optimized", toJson(evaluation.optimized) } };
+}
+
+Json
 SecondsToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.reconstruction;
@@ -132,6 +154,7 @@ SecondsToJson(const ReconstructionReport & report)
   return { { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
            { "read", report.input.readSeconds },
            { "closeGaps", report.input.closeGapsSeconds },
+           { "segmentation", report.input.segmentSeconds },
            { "extractJunctions", report.input.extractSeconds },
            { "delaunay", r.delaunay.seconds },
            { "cleanUp", r.cleaned.seconds },
@@ -147,8 +170,9 @@ ToJson(const ReconstructionReport & report)
   const TissueReconstruction & r = report.reconstruction;
   const JunctionSet &          junctions = report.input.junctions->GetJunctionSet();
   Json                         json;
-  json["program"] = { { "name", "TissueTessellation" }, { "version", TISSUE_TESSELLATION_VERSION } };
-  json["input"] = { { "file", report.options.labels },
+  json["program"] = { { "name", report.program }, { "version", TISSUE_TESSELLATION_VERSION } };
+  json["input"] = { { "file", report.options.MainInput() },
+                    { "points", report.input.numberOfPoints },
                     { "pixelType", report.input.pixelType },
                     { "size", report.input.size },
                     { "spacing", report.input.spacing },
@@ -163,10 +187,14 @@ ToJson(const ReconstructionReport & report)
                       { { "width", report.input.closedGapWidth },
                         { "voxels", report.input.numberOfClosedVoxels },
                         { "largestDistance", report.input.largestClosedDistance } } } };
-  json["options"] = ToJson(report.options);
+  json["options"] = report.optionsAsJson;
   json["stages"] = { { "delaunay", ToJson(r.delaunay) },
                      { "cleaned", ToJson(r.cleaned) },
                      { "optimized", ToJson(r.optimized) } };
+  if (report.judge != nullptr)
+  {
+    json["evaluation"] = EvaluationToJson(report);
+  }
   json["cleanUp"] = { { "maximumEdgeLength", r.maximumEdgeLength },
                       { "triangleSwaps", r.cleanUp.numberOfSwaps },
                       { "edgeRemovals", r.cleanUp.numberOfRemovals } };
@@ -217,6 +245,20 @@ CollectWarnings(const ReconstructionReport & report)
 
 namespace
 {
+void
+PrintEvaluation(const ReconstructionReport & report, std::ostream & stream)
+{
+  const StageEvaluation evaluation = EvaluateStages(report.reconstruction, *report.judge);
+  stream << "Agreement with " << report.options.evaluateAgainst << ", adjacency2 / adjacency4: " << std::fixed
+         << std::setprecision(4);
+  const auto stage = [&stream](const char * name, const AdjacencyOverlap & overlap, const char * end) {
+    stream << name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << end;
+  };
+  stage("Delaunay", evaluation.delaunay, ", ");
+  stage("cleaned", evaluation.cleaned, ", ");
+  stage("optimized", evaluation.optimized, "\n");
+}
+
 void
 PrintStages(const TissueReconstruction & r, std::ostream & stream)
 {
@@ -289,15 +331,24 @@ Print(const ReconstructionReport & report, std::ostream & stream)
   const WallMesh &    mesh = report.reconstruction.walls;
   const auto &        junctions = input.junctions->GetJunctionSet();
   const std::size_t   numberOfCells = junctions.cells.size() - 1;
-  stream << report.options.labels << ": " << input.size[0] << " x " << input.size[1] << " x " << input.size[2]
-         << " voxels of " << input.spacing[0] << " x " << input.spacing[1] << " x " << input.spacing[2] << ", "
-         << numberOfCells << " cells, exterior label " << input.exteriorLabel << '\n';
+  stream << report.options.MainInput() << ": ";
+  if (input.numberOfPoints > 0)
+  {
+    stream << input.numberOfPoints << " points; ";
+  }
+  stream << input.size[0] << " x " << input.size[1] << " x " << input.size[2] << " voxels of " << input.spacing[0]
+         << " x " << input.spacing[1] << " x " << input.spacing[2] << ", " << numberOfCells << " cells, exterior label "
+         << input.exteriorLabel << '\n';
   if (report.options.closeGaps)
   {
     stream << "Gaps up to a width of " << input.closedGapWidth << " closed: " << input.numberOfClosedVoxels
            << " voxels given to cells, at most " << input.largestClosedDistance << " away\n";
   }
   PrintStages(report.reconstruction, stream);
+  if (report.judge != nullptr)
+  {
+    PrintEvaluation(report, stream);
+  }
   stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
          << " triangles, " << std::setprecision(1)
          << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n";

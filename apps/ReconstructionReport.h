@@ -7,6 +7,7 @@
 #ifndef ReconstructionReport_h
 #define ReconstructionReport_h
 
+#include "StageEvaluation.h"
 #include "TissueInput.h"
 #include "TissueTessellationCore/CellSurfaceCheck.h"
 #include "TissueTessellationCore/TissueReconstruction.h"
@@ -20,11 +21,15 @@ namespace tissue
 /** Everything that is reported of a run. */
 struct ReconstructionReport
 {
+  const std::string &               program;
   const TissueTessellationOptions & options;
+  const nlohmann::ordered_json &    optionsAsJson;
   const TissueInput &               input;
   const TissueReconstruction &      reconstruction;
   const CellSurfaceCheck &          check;
   double                            checkSeconds = 0.0;
+  /** Null unless the stages are judged. */
+  const Judge * judge = nullptr;
 };
 
 /** \brief The report as JSON: program, input, options, stages, cleanUp, cycles, mesh, warnings, remarks, seconds.

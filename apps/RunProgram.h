@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace tissue
@@ -16,6 +17,34 @@ namespace tissue
 /** An error for a person, in one line: without the class names and addresses that ITK puts before it. */
 std::string
 ToMessage(const std::exception & error);
+
+/** An error that names the file it is about. */
+class FileError : public std::runtime_error
+{
+public:
+  FileError(const std::string & path, const std::exception & error)
+    : std::runtime_error(path + ": " + ToMessage(error))
+  {}
+};
+
+/** What `work` returns; its errors become those of the file, unless they name one already. */
+template <typename TWork>
+auto
+WithFileName(const std::string & path, const TWork & work) -> decltype(work())
+{
+  try
+  {
+    return work();
+  }
+  catch (const FileError &)
+  {
+    throw;
+  }
+  catch (const std::exception & error)
+  {
+    throw FileError(path, error);
+  }
+}
 
 /** Does the work of a program. An error is said in one line on standard error, after the program's name. Returns the
  * exit code: 0, or 1 after an error. */

@@ -7,10 +7,9 @@
 #include "ScalarImageInput.h"
 
 #include "ImageFileCheck.h"
+#include "ImageInput.h"
 #include "RunProgram.h"
 #include "StandardErrorCapture.h"
-
-#include <itkImageFileReader.h>
 
 #include <stdexcept>
 
@@ -23,18 +22,10 @@ ReadScalarImage(const std::string & path, const std::optional<std::array<double,
   {
     StandardErrorCapture            messages;
     const itk::ImageIOBase::Pointer io = OpenImage(path);
-    RequireThreeDimensions(io, "a stack");
+    RequireVolume(io, "an image of a stain");
     RequireAllVoxels(path, io);
-    const auto reader = itk::ImageFileReader<ScalarImage>::New();
-    reader->SetFileName(path);
-    reader->Update();
+    const ScalarImage::Pointer image = ReadImage<ScalarImage>(path, spacing);
     JudgeMessages(messages.Release(), io);
-    const ScalarImage::Pointer image = reader->GetOutput();
-    image->DisconnectPipeline();
-    if (spacing)
-    {
-      image->SetSpacing(spacing->data());
-    }
     return image;
   }
   catch (const std::exception & error)

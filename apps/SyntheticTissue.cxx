@@ -7,7 +7,7 @@
 // Writes the label image of a synthetic tissue: SyntheticTissue [options] labels.mha
 
 #include "OutputFiles.h"
-#include "PointFile.h"
+#include "PointOutput.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
 #include "itkSyntheticNucleiImageFilter.h"

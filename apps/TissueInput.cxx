@@ -7,17 +7,15 @@
 #include "TissueInput.h"
 
 #include "ImageFileCheck.h"
+#include "ImageInput.h"
+#include "JunctionInput.h"
+#include "LapTimer.h"
 #include "StandardErrorCapture.h"
 #include "TissueTessellationCore/SeparatedCells.h"
 #include "VisitPixelType.h"
 #include "itkExteriorLabelImageCalculator.h"
-#include <itkChangeInformationImageFilter.h>
-#include <itkImageFileReader.h>
-#include <itkTimeProbe.h>
 
 #include "itkLabelGapClosingImageFilter.h"
-#include "itkLabelJunctionExtractionFilter.h"
-#include "itkLabelVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +27,11 @@ namespace tissue
 namespace
 {
 constexpr unsigned int Dimension = 3;
-
 /** Throws where the image, by its header, is no label image. */
 void
 RequireLabelImage(const itk::ImageIOBase * io)
 {
-  RequireThreeDimensions(io, "a label image");
+  RequireVolume(io, "a label image");
   const auto type = io->GetComponentType();
   if (type == itk::IOComponentEnum::FLOAT || type == itk::IOComponentEnum::DOUBLE ||
       type == itk::IOComponentEnum::LDOUBLE || type == itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE)
@@ -42,39 +39,6 @@ RequireLabelImage(const itk::ImageIOBase * io)
     throw std::runtime_error("the image has voxels of type " + itk::ImageIOBase::GetComponentTypeAsString(type) +
                              ", labels are integers");
   }
-}
-
-void
-CheckThatCellsTouch(const JunctionSet & junctions, const TissueTessellationOptions & options, TissueInput & input)
-{
-  const std::vector<VertexId> separated = FindSeparatedCells(junctions);
-  if (separated.empty())
-  {
-    return;
-  }
-  std::vector<Label> labels;
-  for (const VertexId cell : separated)
-  {
-    labels.push_back(junctions.cells[cell].label);
-  }
-  const std::size_t numberOfCells = junctions.cells.size() - 1;
-  const std::string message = std::to_string(separated.size()) + " of " + std::to_string(numberOfCells) +
-                              " cells touch no other cell though others are near (labels " + NameLabels(labels) +
-                              "): a wall of background lies between them";
-  if (2 * separated.size() > numberOfCells)
-  {
-    std::ostringstream help;
-    if (options.closeGaps)
-    {
-      help << ", wider than the gaps that --closeGaps has closed, of " << input.closedGapWidth;
-    }
-    else
-    {
-      help << "; --closeGaps grows the labels over such walls";
-    }
-    throw std::runtime_error(message + help.str());
-  }
-  input.warnings.push_back(message);
 }
 
 void
@@ -93,45 +57,6 @@ CheckSpacing(const itk::ImageIOBase * io, TissueInput & input)
     input.warnings.push_back("a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
                              "the voxel size");
   }
-}
-
-/** Seconds since the last call or the start. */
-class Stopwatch
-{
-public:
-  Stopwatch() { m_Probe.Start(); }
-
-  double
-  Lap()
-  {
-    m_Probe.Stop();
-    const double seconds = m_Probe.GetTotal();
-    m_Probe.Reset();
-    m_Probe.Start();
-    return seconds;
-  }
-
-private:
-  itk::TimeProbe m_Probe;
-};
-
-template <typename TImage>
-typename TImage::Pointer
-ReadImage(const TissueTessellationOptions & options)
-{
-  const auto reader = itk::ImageFileReader<TImage>::New();
-  reader->SetFileName(options.labels);
-  const auto information = itk::ChangeInformationImageFilter<TImage>::New();
-  information->SetInput(reader->GetOutput());
-  if (options.spacing)
-  {
-    information->ChangeSpacingOn();
-    information->SetOutputSpacing(itk::Vector<double, Dimension>(options.spacing->data()));
-  }
-  information->Update();
-  typename TImage::Pointer image = information->GetOutput();
-  image->DisconnectPipeline();
-  return image;
 }
 
 /** The exterior's label, given or found in the image; nothing where the image has none. */
@@ -203,20 +128,16 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
         TissueInput & input)
 {
   using ImageType = itk::Image<TPixel, Dimension>;
-  Stopwatch stopwatch;
+  LapTimer stopwatch;
   progress.Begin("Reading");
   StandardErrorCapture        messages;
-  typename ImageType::Pointer image = ReadImage<ImageType>(options);
+  typename ImageType::Pointer image = ReadImage<ImageType>(options.labels, options.spacing);
   for (const std::string & warning : JudgeMessages(messages.Release(), io))
   {
     input.warnings.push_back(warning);
   }
   input.readSeconds = stopwatch.Lap();
-  for (unsigned int axis = 0; axis < Dimension; ++axis)
-  {
-    input.size[axis] = image->GetLargestPossibleRegion().GetSize(axis);
-    input.spacing[axis] = image->GetSpacing()[axis];
-  }
+  DescribeImage(image.GetPointer(), input);
 
   if (options.closeGaps)
   {
@@ -224,29 +145,11 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
     input.closeGapsSeconds = stopwatch.Lap();
   }
 
-  const auto extraction = itk::LabelJunctionExtractionFilter<ImageType>::New();
-  extraction->SetInput(image);
-  if (options.exteriorLabel)
-  {
-    extraction->SetExteriorLabel(*options.exteriorLabel);
-  }
-  extraction->SetZeroIsCell(options.zeroIsCell);
-  extraction->SetSeparateVoids(options.parameters.separateVoids);
-  progress.Begin("Finding junctions");
-  progress.Observe(extraction);
-  extraction->Update();
-  input.exteriorLabel = extraction->GetUsedExteriorLabel();
-  input.junctions = extraction->GetOutput();
-  input.junctions->DisconnectPipeline();
-  if (options.parameters.fitToImage)
-  {
-    input.volume = itk::MakeLabelVolume(image.GetPointer(), input.junctions->GetJunctionSet());
-  }
+  ExtractJunctions(image.GetPointer(), options, progress, input);
   if (options.keepsImage)
   {
     input.image = image;
   }
-  input.extractSeconds = stopwatch.Lap();
 }
 } // namespace
 
@@ -261,6 +164,39 @@ NameLabels(const std::vector<Label> & labels)
   }
   text << (labels.size() > most ? ", ..." : "");
   return text.str();
+}
+
+void
+CheckThatCellsTouch(const JunctionSet & junctions, const TissueTessellationOptions & options, TissueInput & input)
+{
+  const std::vector<VertexId> separated = FindSeparatedCells(junctions);
+  if (separated.empty())
+  {
+    return;
+  }
+  std::vector<Label> labels;
+  for (const VertexId cell : separated)
+  {
+    labels.push_back(junctions.cells[cell].label);
+  }
+  const std::size_t numberOfCells = junctions.cells.size() - 1;
+  const std::string message = std::to_string(separated.size()) + " of " + std::to_string(numberOfCells) +
+                              " cells touch no other cell though others are near (labels " + NameLabels(labels) +
+                              "): a wall of background lies between them";
+  if (2 * separated.size() > numberOfCells)
+  {
+    std::ostringstream help;
+    if (options.closeGaps)
+    {
+      help << ", wider than the gaps that --closeGaps has closed, of " << input.closedGapWidth;
+    }
+    else
+    {
+      help << "; --closeGaps grows the labels over such walls";
+    }
+    throw std::runtime_error(message + help.str());
+  }
+  input.warnings.push_back(message);
 }
 
 TissueInput

@@ -25,11 +25,13 @@ struct TissueInput
   /** The image itself, of the pixels that VisitPixelType() gives of the component type; none unless it is kept. */
   itk::DataObject::ConstPointer image;
   itk::IOComponentEnum          componentType = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
-  std::string                   pixelType;
-  std::array<std::size_t, 3>    size{};
-  std::array<double, 3>         spacing{};
-  Label                         exteriorLabel = 0;
-  std::vector<std::string>      warnings;
+  /** Of the file of points; 0 for an image. */
+  std::size_t                numberOfPoints = 0;
+  std::string                pixelType;
+  std::array<std::size_t, 3> size{};
+  std::array<double, 3>      spacing{};
+  Label                      exteriorLabel = 0;
+  std::vector<std::string>   warnings;
 
   /** Of the gaps closed; 0 without. Widths and distances are in the image's units. */
   double      closedGapWidth = 0.0;
@@ -38,12 +40,17 @@ struct TissueInput
 
   double readSeconds = 0.0;
   double closeGapsSeconds = 0.0;
+  double segmentSeconds = 0.0;
   double extractSeconds = 0.0;
 };
 
 /** The first labels of a list, for a message; the report has them all. */
 std::string
 NameLabels(const std::vector<Label> & labels);
+
+/** Adds a warning for cells that touch no other though others are near. \throws std::runtime_error where most do. */
+void
+CheckThatCellsTouch(const JunctionSet & junctions, const TissueTessellationOptions & options, TissueInput & input);
 
 /** Reads the image and extracts its junctions.
  * \throws std::runtime_error or itk::ExceptionObject: no such file, not readable, cut off, not three-dimensional, more

@@ -4,163 +4,24 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-// From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.
-#include "OutputFiles.h"
-#include "ProgressBar.h"
-#include "ReconstructionReport.h"
+// From a segmented 3-D image of a tissue, or one of its membranes, to the triangular mesh of all its cell walls.
+#include "MembraneInput.h"
 #include "RunProgram.h"
 #include "TissueInput.h"
+#include "TissueProgram.h"
 #include "TissueTessellationOptions.h"
-#include "TissueTessellationVTKBridge.h"
-#include "VTKFiles.h"
-#include "WallMeshPicture.h"
-#include "itkJunctionsToCellWallMeshFilter.h"
-
-#include <itkMultiThreaderBase.h>
-#include <itkTimeProbe.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <set>
-#include <stdexcept>
-
-namespace
-{
-using namespace tissue;
-
-/** Throws for everything that would make the outputs impossible, before the work. */
-void
-CheckOutputs(const TissueTessellationOptions & options)
-{
-  namespace fs = std::filesystem;
-  std::set<fs::path> paths;
-  for (const auto & [path, content] : options.Outputs())
-  {
-    OutputFiles::RequireWritable(path);
-    OutputFiles::RequireNotInput(path, options.labels);
-    if (!paths.insert(fs::weakly_canonical(fs::absolute(path))).second)
-    {
-      throw std::runtime_error("Cannot write the " + content + " to '" + path + "': another output has the same name");
-    }
-  }
-  const std::string obstacle = options.picture.empty() ? std::string() : FindPictureObstacle();
-  if (!obstacle.empty())
-  {
-    throw std::runtime_error("--picture: " + obstacle);
-  }
-}
-
-void
-WriteOutputs(const ReconstructionReport & report)
-{
-  const TissueTessellationOptions & options = report.options;
-  const WallMesh &                  walls = report.reconstruction.walls;
-  const std::vector<Cell> &         cells = report.input.junctions->GetJunctionSet().cells;
-  OutputFiles                       files;
-  const auto                        add = [&files](const std::string & path, const OutputFiles::Writer & write) {
-    if (!path.empty())
-    {
-      files.Add(path, write);
-    }
-  };
-  add(options.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
-  add(options.complex,
-      [&](const std::string & path) { WriteXML(MakeComplexGrid(report.reconstruction.tetrahedra, cells), path); });
-  add(options.cells, [&](const std::string & path) { WriteXML(MakeCellGrid(walls, cells, report.check), path); });
-  add(options.statistics, [&](const std::string & path) { WriteCSV(MakeCellTable(walls, cells, report.check), path); });
-  add(options.junctions,
-      [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.junctions->GetJunctionSet()), path); });
-  add(options.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
-  add(options.report, [&](const std::string & path) {
-    std::ofstream file(path);
-    file << ToJson(report).dump(2) << '\n';
-    if (!file.flush())
-    {
-      throw std::runtime_error("cannot write " + path);
-    }
-  });
-  files.Commit();
-}
-
-/** What is made of the labels, with the time of the check. */
-struct Result
-{
-  TissueInput                input;
-  itk::CellWallMesh::Pointer mesh;
-  CellSurfaceCheck           check;
-  double                     checkSeconds = 0.0;
-};
-
-Result
-Reconstruct(const TissueTessellationOptions & options, ProgressBar & progress)
-{
-  Result result;
-  result.input = ReadTissue(options, progress);
-  const auto filter = itk::JunctionsToCellWallMeshFilter::New();
-  filter->SetInput(result.input.junctions);
-  filter->SetParameters(options.parameters);
-  filter->SetLabelVolume(result.input.volume);
-  result.input.volume.reset();
-  progress.Begin("Optimizing the complex");
-  progress.Observe(filter);
-  filter->Update();
-  result.mesh = filter->GetOutput();
-
-  itk::TimeProbe probe;
-  probe.Start();
-  const auto numberOfVertices = static_cast<VertexId>(result.input.junctions->GetJunctionSet().cells.size());
-  result.check = CheckCellSurfaces(result.mesh->GetWallMesh(), numberOfVertices);
-  probe.Stop();
-  result.checkSeconds = probe.GetTotal();
-  return result;
-}
-
-void
-Run(const TissueTessellationOptions & options)
-{
-  CheckOutputs(options);
-  if (options.threads > 0)
-  {
-    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
-  }
-  ProgressBar progress(options.isQuiet);
-  Result      result;
-  try
-  {
-    result = Reconstruct(options, progress);
-  }
-  catch (const std::exception & error)
-  {
-    throw std::runtime_error(options.labels + ": " + ToMessage(error));
-  }
-
-  const ReconstructionReport report{
-    options, result.input, result.mesh->GetReconstruction(), result.check, result.checkSeconds
-  };
-  progress.Begin("Writing");
-  WriteOutputs(report);
-  progress.End();
-  for (const std::string & warning : CollectWarnings(report))
-  {
-    std::cerr << "TissueTessellation: warning: " << warning << '\n';
-  }
-  if (!options.isQuiet)
-  {
-    Print(report, std::cout);
-  }
-}
-} // namespace
 
 int
 main(int argc, char ** argv)
 {
-  return tissue::RunProgram("TissueTessellation", [&] {
+  using namespace tissue;
+  const std::string program = "TissueTessellation";
+  return RunProgram(program, [&] {
     if (const auto options = ParseCommandLine(argc, argv))
     {
-      Run(*options);
+      RunTissueProgram(program, *options, ToJson(*options), [&](ProgressBar & progress) {
+        return options->membrane.file.empty() ? ReadTissue(*options, progress) : ReadMembranes(*options, progress);
+      });
     }
   });
 }

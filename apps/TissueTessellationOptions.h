@@ -18,9 +18,22 @@
 
 namespace tissue
 {
+/** How an image of membranes is segmented. */
+struct MembraneOptions
+{
+  /** Empty: there is none. */
+  std::string file;
+  /** Of the smoothing before the watershed, in physical units; 0: none. */
+  double sigma = 0.0;
+  /** See itk::MembraneToTissueLabelImageFilter. */
+  double markerSigma = 0.0;
+  double markerDepth = 0.015;
+};
+
 /** What the user asked of the program. */
 struct TissueTessellationOptions
 {
+  /** The segmented image; of other programs what they take the cells from. */
   std::string labels;
   std::string walls;
   std::string complex;
@@ -36,6 +49,12 @@ struct TissueTessellationOptions
   /** Widest gap to close, in physical units; 0 for the automatic width. */
   std::optional<double> closeGaps;
 
+  MembraneOptions membrane;
+  /** A label image that judges the stages of the complex; empty: none. */
+  std::string evaluateAgainst;
+  /** Further files that are read. */
+  std::vector<std::string> otherInputs;
+
   std::string              preset = "default";
   ReconstructionParameters parameters;
 
@@ -50,6 +69,17 @@ struct TissueTessellationOptions
     /** In words. */
     std::string content;
   };
+
+  /** The file that the cells are from, for messages. */
+  const std::string &
+  MainInput() const
+  {
+    return labels.empty() ? membrane.file : labels;
+  }
+
+  /** All files that are read. */
+  std::vector<std::string>
+  Inputs() const;
 
   /** All files that are to be written. */
   std::vector<Output>

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/CellCorners.h"
 
+#include "TissueTessellationCore/SurfaceLift.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
@@ -248,6 +249,15 @@ ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, 
   if (rule == CornerRule::ImageJunction)
   {
     MoveToJunctions(complex, tetrahedra, junctions, corners);
+  }
+  if (rule == CornerRule::LiftedCircumcenter)
+  {
+    std::vector<Point> centers;
+    for (VertexId v = ExteriorVertex; v < junctions.NumberOfVertices(); ++v)
+    {
+      centers.push_back(junctions.CellOfVertex(v).center);
+    }
+    LiftSurfaceCorners(complex, centers, corners);
   }
   SeparateCoincident(tetrahedra, junctions, corners);
   return corners;

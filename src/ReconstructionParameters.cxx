@@ -53,6 +53,17 @@ ReconstructionParameters::PaperPreset()
   return parameters;
 }
 
+ReconstructionParameters
+ReconstructionParameters::PaperPointsPreset()
+{
+  ReconstructionParameters parameters = PaperPreset();
+  parameters.energy.adjacencyWeight = 0.0;
+  parameters.localMaximumEdgeLength = true;
+  parameters.maximumEdgeLengthFactor = 1.5;
+  parameters.corners = CornerRule::LiftedCircumcenter;
+  return parameters;
+}
+
 void
 ReconstructionParameters::Check() const
 {

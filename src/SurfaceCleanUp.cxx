@@ -23,7 +23,7 @@ public:
     : m_Complex(complex)
     , m_Centers(centers)
     , m_Guide(parameters.guidedByReference ? reference : nullptr)
-    , m_MaximumEdgeLength(parameters.maximumEdgeLength)
+    , m_Parameters(parameters)
     , m_Operations(complex, centers, Legality::Combinatorial)
   {}
 
@@ -43,7 +43,14 @@ private:
   bool
   IsOversized(VertexId u, VertexId v) const
   {
-    return Distance(m_Centers[u], m_Centers[v]) > m_MaximumEdgeLength && !(m_Guide && m_Guide->HasPair(u, v));
+    return Distance(m_Centers[u], m_Centers[v]) > MaximumEdgeLength(u, v) && !(m_Guide && m_Guide->HasPair(u, v));
+  }
+
+  double
+  MaximumEdgeLength(VertexId u, VertexId v) const
+  {
+    const std::vector<double> & local = m_Parameters.localLengths;
+    return m_Parameters.maximumEdgeLength * (local.empty() ? 1.0 : 0.5 * (local[u] + local[v]));
   }
 
   void
@@ -100,12 +107,12 @@ private:
     }
   }
 
-  AdjacencyComplex &         m_Complex;
-  const std::vector<Point> & m_Centers;
-  const ReferenceAdjacency * m_Guide;
-  double                     m_MaximumEdgeLength;
-  LocalOperations            m_Operations;
-  SurfaceCleanUpResult       m_Result;
+  AdjacencyComplex &               m_Complex;
+  const std::vector<Point> &       m_Centers;
+  const ReferenceAdjacency *       m_Guide;
+  const SurfaceCleanUpParameters & m_Parameters;
+  LocalOperations                  m_Operations;
+  SurfaceCleanUpResult             m_Result;
 };
 } // namespace
 

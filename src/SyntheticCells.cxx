@@ -95,8 +95,6 @@ public:
   Finish();
 
 private:
-  void
-  AssignSamples(const AnisotropicTessellation & tessellation);
   std::vector<CellMoments>
   MeasureCells() const
   {
@@ -137,21 +135,6 @@ GrowingTissue::GrowingTissue(const TissueSamples & samples, const SyntheticCellO
     if (options.anisotropy > 1.0)
     {
       m_Seeds[i].metric = DrawMetric(options.anisotropy, m_Random);
-    }
-  }
-}
-
-void
-GrowingTissue::AssignSamples(const AnisotropicTessellation & tessellation)
-{
-  std::vector<SeedId> candidates;
-  std::size_t         i = 0;
-  for (const TissueSamples::Group & group : m_Samples.groups)
-  {
-    tessellation.FindCandidates(group.center, group.radius, candidates);
-    for (; i < group.end; ++i)
-    {
-      m_CellOfSample[i] = tessellation.FindNearest(m_Samples.points[i], candidates);
     }
   }
 }
@@ -200,7 +183,7 @@ GrowingTissue::ReplantEmptyCells()
 void
 GrowingTissue::RelaxFounders()
 {
-  this->AssignSamples(AnisotropicTessellation(m_Seeds));
+  m_CellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), m_Samples);
   this->CenterSeeds(false);
 }
 
@@ -250,7 +233,7 @@ GrowingTissue::DivideCells()
     Point  normal;
     double offset;
   };
-  this->AssignSamples(AnisotropicTessellation(m_Seeds));
+  m_CellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), m_Samples);
   const std::vector<CellMoments> cells = this->MeasureCells();
   std::vector<Division>          divisions(cells.size());
   for (const std::size_t mother : this->ChooseMothers(cells))
@@ -277,7 +260,7 @@ GrowingTissue::Finish()
   for (int sweep = 0; sweep < numberOfRepairSweeps; ++sweep)
   {
     AnisotropicTessellation tessellation(m_Seeds);
-    this->AssignSamples(tessellation);
+    m_CellOfSample = AssignSamples(tessellation, m_Samples);
     if (!this->ReplantEmptyCells())
     {
       return tessellation;

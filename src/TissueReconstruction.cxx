@@ -9,6 +9,7 @@
 #include "TissueTessellationCore/CellSurfaceCheck.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/LocalSpacing.h"
 #include "TissueTessellationCore/SpatialOrder.h"
 #include "TissueTessellationCore/TissueParts.h"
 #include "TissueTessellationCore/Vector.h"
@@ -111,6 +112,37 @@ TetrahedralizeParts(const TissueParts & parts, const std::vector<Point> & center
   return tetrahedra;
 }
 
+/** How the Delaunay complex is to be cleaned. */
+SurfaceCleanUpParameters
+MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+            const AdjacencyComplex & complex, const std::vector<Point> & centers)
+{
+  SurfaceCleanUpParameters cleanUp;
+  cleanUp.guidedByReference = parameters.guidedCleanUp;
+  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength;
+  if (!(parameters.maximumEdgeLength > 0.0))
+  {
+    const double median = parameters.localMaximumEdgeLength ? 0.0 : MedianNeighborDistance(junctions);
+    cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * (median > 0.0 ? median : 1.0);
+    cleanUp.localLengths = median > 0.0 ? std::vector<double>() : LocalSpacings(complex, centers);
+  }
+  return cleanUp;
+}
+
+/** Of the vertices but the exterior; 1 where lengths are not local. */
+double
+MedianLocalLength(const SurfaceCleanUpParameters & cleanUp)
+{
+  std::vector<double> lengths = cleanUp.localLengths;
+  if (lengths.empty())
+  {
+    return 1.0;
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
 /** The complex through its stages, which `result` learns of. Works on vertices in spatial order: on large tissues much
  * of the time would go to fetching what lies far apart. */
 AdjacencyComplex
@@ -132,6 +164,10 @@ ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, con
     ReconstructionStage stage;
     stage.seconds = stopwatch.Lap();
     stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
+    if (parameters.keepStages)
+    {
+      stage.tetrahedra = MergeVoids(Renumbered(complex.GetTetrahedra(), order), junctions);
+    }
     stopwatch.Lap();
     return stage;
   };
@@ -141,17 +177,9 @@ ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, con
   result.delaunay = finishStage(complex);
   Report(progress, DelaunayShare);
 
-  SurfaceCleanUpParameters cleanUp;
-  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength > 0.0
-                                ? parameters.maximumEdgeLength
-                                : parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
-  cleanUp.guidedByReference = parameters.guidedCleanUp;
-  result.maximumEdgeLength = cleanUp.maximumEdgeLength;
-  // Without two cells that touch there is no scale to judge an edge by.
-  if (cleanUp.maximumEdgeLength > 0.0)
-  {
-    result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
-  }
+  const SurfaceCleanUpParameters cleanUp = MakeCleanUp(junctions, parameters, complex, centers);
+  result.maximumEdgeLength = cleanUp.maximumEdgeLength * MedianLocalLength(cleanUp);
+  result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
   result.cleaned = finishStage(complex);
 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
@@ -242,7 +270,11 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });
   }
-  RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
+  if (!junctions.walls.empty())
+  {
+    RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
+    result.remarks = CollectRemarks(complex, junctions);
+  }
   for (std::size_t v = ExteriorVertex + 1;
        v < std::min(junctions.cells.size(), result.fitting.unfittedCornersOfCell.size());
        ++v)
@@ -254,7 +286,6 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
                           static_cast<double>(result.fitting.unfittedCornersOfCell[v]) });
     }
   }
-  result.remarks = CollectRemarks(complex, junctions);
   result.remarks.insert(result.remarks.end(), remarks.begin(), remarks.end());
   std::stable_sort(result.remarks.begin(), result.remarks.end(), [](const CellRemark & a, const CellRemark & b) {
     return a.cell < b.cell;

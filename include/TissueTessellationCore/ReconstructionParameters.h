@@ -28,6 +28,9 @@ struct ReconstructionParameters
    */
   double maximumEdgeLength = 0.0;
   double maximumEdgeLengthFactor = 1.2;
+  /** Whether the automatic l_max follows the local spacing of the centres (LocalSpacing.h) in place of the median
+   * distance; it does where no neighbours are known. */
+  bool localMaximumEdgeLength = false;
   /** See SurfaceCleanUpParameters::guidedByReference. */
   bool guidedCleanUp = true;
 
@@ -45,12 +48,19 @@ struct ReconstructionParameters
   /** Iterations of the smoothing; 0 or more. Fitted walls have none. */
   int smoothingIterations = 10;
 
+  /** Whether every stage keeps its tetrahedra (ReconstructionStage). */
+  bool keepStages = false;
+
   ReconstructionParameters();
 
   /** Sections 3 and 4 of the paper: one complex, clean-up by length alone, geometric legality, projected Delaunay
    * rings, the energy of three terms at the paper's weights, corners from the cell centres. */
   static ReconstructionParameters
   PaperPreset();
+
+  /** The same for points alone (section 4.3), with l_max by the local spacing and the surface where it is. */
+  static ReconstructionParameters
+  PaperPointsPreset();
 
   /** \throws std::invalid_argument that names the parameter, its value and its range. */
   void

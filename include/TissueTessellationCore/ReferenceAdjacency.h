@@ -86,6 +86,12 @@ struct AdjacencyOverlap
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
 
+/** Likewise of tetrahedra over vertices of their own: ids[v] is what v is in the reference, negative where it is nothing
+ * there. */
+AdjacencyOverlap
+ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
+                        const ReferenceAdjacency & reference);
+
 /** |A & B| / |A | B| from the sizes of A, B and A & B; 0 where both sets are empty. */
 inline double
 Jaccard(std::size_t common, std::size_t first, std::size_t second)

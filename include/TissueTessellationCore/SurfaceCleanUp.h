@@ -18,6 +18,9 @@ struct SurfaceCleanUpParameters
 {
   /** l_max: a surface triangle with a longer edge is oversized. In the units of the centres; must be above 0. */
   double maximumEdgeLength = 0.0;
+  /** Of each vertex, the length that maximumEdgeLength is a multiple of, for an edge the mean of its two ends': a limit
+   * that follows the local spacing (LocalSpacing.h). Empty: all are 1. */
+  std::vector<double> localLengths;
   /** With a reference: only edges that are no pair of it count as oversized, and no cell that does not touch the
    * exterior in the reference is exposed. */
   bool guidedByReference = false;

@@ -7,30 +7,14 @@
 #ifndef TissueTessellationCore_SyntheticCells_h
 #define TissueTessellationCore_SyntheticCells_h
 
-#include "TissueTessellationCore/AnisotropicTessellation.h"
 #include "TissueTessellationCore/Progress.h"
+#include "TissueTessellationCore/TissueSamples.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace tissue
 {
-/** The points of a tissue, evenly spread and grouped into small balls. Each stands for a box about it. */
-struct TissueSamples
-{
-  struct Group
-  {
-    Point       center = { { 0.0, 0.0, 0.0 } };
-    double      radius = 0.0;
-    std::size_t end = 0;
-  };
-  std::vector<Point> points;
-  /** Each group holds the points from the end of the group before it to its own end. */
-  std::vector<Group> groups;
-  /** Sides of the boxes. */
-  Point boxSize = { { 1.0, 1.0, 1.0 } };
-};
-
 struct SyntheticCellOptions
 {
   /** At least 1. */

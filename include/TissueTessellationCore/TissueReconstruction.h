@@ -22,6 +22,8 @@ struct ReconstructionStage
   ComplexStatistics statistics;
   /** Wall-clock time that led to it from the stage before. */
   double seconds = 0.0;
+  /** If the parameters say to keep them: vertices as in TissueReconstruction::tetrahedra. */
+  std::vector<VertexQuadruple> tetrahedra;
 };
 
 /** \brief What ReconstructTissue() made: the complex, its dual, and how it went. Vertices are indices of the cells of
@@ -43,7 +45,7 @@ struct TissueReconstruction
   std::size_t numberOfParts = 1;
   /** Enclosed voids that were vertices of their own. */
   std::size_t numberOfVoids = 0;
-  /** The l_max that was used. */
+  /** The l_max that was used; where it follows the local spacing, its median. */
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
   std::vector<AnnealingCycle> cycles;
@@ -60,6 +62,9 @@ struct TissueReconstruction
  *
  * With the `volume` that the junctions come from, the walls are fitted to it unless the parameters say otherwise. What
  * is done by `parallelFor` is the same for any number of threads.
+ *
+ * Cells whose neighbours are not known (a JunctionSet without walls, as of points alone) have statistics without
+ * adjacencies, l_max by the local spacing of their centres, and no remarks that compare them with an image.
  *
  * Every cell of `junctions` is a vertex of the complex and has its closed surface in the mesh. A void is a vertex while
  * the complex is optimized, and then the exterior: in `tetrahedra` and `walls`. Cells with the same

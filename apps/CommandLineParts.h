@@ -1,0 +1,68 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef CommandLineParts_h
+#define CommandLineParts_h
+
+#include "TissueTessellationOptions.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace tissue
+{
+/** A range that, unlike CLI11's, is printed short and refuses what is no number. */
+CLI::Validator
+InRange(double least, double most);
+
+CLI::Validator
+EndsIn(const std::string & extension);
+
+/** The mesh of the walls, required, and all further outputs. */
+void
+AddOutputOptions(CLI::App & app, TissueTessellationOptions & options);
+
+/** The image of membranes and how it is segmented. */
+void
+AddMembraneOptions(CLI::App & app, MembraneOptions & options);
+
+void
+AddEvaluationOption(CLI::App & app, TissueTessellationOptions & options);
+
+/** The preset, which must have been applied by ApplyPreset(), and the parameters that override it. */
+void
+AddMethodOptions(CLI::App & app, TissueTessellationOptions & options);
+
+void
+AddRunOptions(CLI::App & app, TissueTessellationOptions & options);
+
+/** Sets the parameters to those of the paper if the command line asks for them. The preset must be known before the
+ * options that override it are read. */
+void
+ApplyPreset(int argc, char ** argv, const ReconstructionParameters & paper, TissueTessellationOptions & options);
+
+/** Parses the command line; false after --help and --version, which have then been answered.
+ * \throws std::runtime_error that names the option and what is wrong with it. */
+bool
+Parse(CLI::App & app, int argc, char ** argv);
+
+/** Whether an option with a value is on the command line: what else is there may depend on it. */
+bool
+HasOption(const std::string & name, int argc, char ** argv);
+
+/** Sets what follows from the other options. \throws std::runtime_error for a parameter out of range. */
+void
+FinishParameters(TissueTessellationOptions & options);
+
+/** The parameters for the report. */
+void
+AddToJson(const ReconstructionParameters & parameters, nlohmann::ordered_json & json);
+
+void
+AddToJson(const MembraneOptions & options, nlohmann::ordered_json & json);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,95 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "NucleiTessellationOptions.h"
+
+#include "CommandLineParts.h"
+#include "PointFile.h"
+
+namespace tissue
+{
+namespace
+{
+/** Whether the points come from a label image must be known before the files are. */
+void
+AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & options)
+{
+  if (!hasLabels)
+  {
+    app.add_option("points", options.labels, "Centres of cells or nuclei: .csv, .fcsv or .vtp; none with --centersOf")
+      ->required()
+      ->type_name("FILE");
+  }
+  const std::string group = "Points";
+  app
+    .add_option("--centersOf", options.centersOf, "Label image, in place of points: the centres of its cells are they")
+    ->type_name("FILE")
+    ->group(group);
+  app.add_option("--box", options.box, "Image that fills the box that the points were seen in; not read")
+    ->type_name("FILE")
+    ->group(group);
+  app.add_option("--voxelsPerCell", options.voxelsPerCell, "Of the label image that is made of the points")
+    ->check(InRange(50.0, 1e6))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option(
+      "--membrane", options.membrane.file, "Image of bright cell membranes, which is segmented from the points")
+    ->type_name("FILE")
+    ->group("Membranes");
+  AddMembraneOptions(app, options.membrane);
+}
+} // namespace
+
+std::optional<NucleiTessellationOptions>
+ParseNucleiCommandLine(int argc, char ** argv)
+{
+  NucleiTessellationOptions options;
+  CLI::App app{ "From the centres of a tissue's cells or nuclei to the triangular mesh of all its cell walls.",
+                "NucleiTessellation" };
+  app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
+  const bool hasMembranes = HasOption("--membrane", argc, argv);
+  ApplyPreset(argc,
+              argv,
+              hasMembranes ? ReconstructionParameters::PaperPreset() : ReconstructionParameters::PaperPointsPreset(),
+              options);
+  const bool hasLabels = HasOption("--centersOf", argc, argv);
+  AddInputOptions(app, hasLabels, options);
+  AddOutputOptions(app, options);
+  AddEvaluationOption(app, options);
+  AddMethodOptions(app, options);
+  AddRunOptions(app, options);
+  if (!Parse(app, argc, argv))
+  {
+    return std::nullopt;
+  }
+  if (hasLabels)
+  {
+    options.labels = options.centersOf;
+  }
+  else if (!IsPointFile(options.labels))
+  {
+    throw std::runtime_error(options.labels + ": the name of a file of points must end in .csv, .fcsv or .vtp");
+  }
+  options.otherInputs = { options.box };
+  FinishParameters(options);
+  return options;
+}
+
+nlohmann::ordered_json
+ToJson(const NucleiTessellationOptions & options)
+{
+  nlohmann::ordered_json json;
+  json["preset"] = options.preset;
+  json["points"] = options.centersOf.empty() ? "of the file" : "centres of the cells of a label image";
+  json["box"] = options.box;
+  json["voxelsPerCell"] = options.voxelsPerCell;
+  json["evaluateAgainst"] = options.evaluateAgainst;
+  AddToJson(options.membrane, json);
+  AddToJson(options.parameters, json);
+  return json;
+}
+} // namespace tissue

@@ -1,0 +1,23 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_PointJunctions_h
+#define TissueTessellationCore_PointJunctions_h
+
+#include "TissueTessellationCore/JunctionSet.h"
+
+namespace tissue
+{
+/** \brief The cells of a tissue of which the centres alone are known: without walls and junctions, and without volumes.
+ *
+ * \param labels of the cells, above 0 and ascending; the exterior has 0.
+ * \throws std::invalid_argument for fewer than four points, numbers of points and labels that differ, labels that do
+ * not ascend from above 0, and a coordinate that is not finite. */
+JunctionSet
+MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,45 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_PointTissue_h
+#define TissueTessellationCore_PointTissue_h
+
+#include "TissueTessellationCore/Progress.h"
+#include "TissueTessellationCore/TissueMask.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** The box about the points, wider by the greatest distance of a point from its eight nearest.
+ * \throws std::invalid_argument as EstimateTissue(). */
+Box
+PaddedBox(const std::vector<Point> & points);
+
+/** The grid that fills the box with about so many points to a cell, at least 50.
+ * \throws std::invalid_argument as EstimateTissue(), and for fewer. */
+TissueGrid
+MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell);
+
+/** \brief The label image of a tissue as its cells' centres tell it: where the tissue is, and the tessellation of it
+ * that has its cells' centroids on the points.
+ *
+ * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
+ * seeds go for it tells how exact they are, and in the last sweeps the seeds are held back accordingly.
+ *
+ * Every point has a cell. The result does not depend on the number of threads.
+ * \param grid of the box that is all there is of the tissue: what is outside of it is exterior, and cells may be cut by
+ * its sides.
+ * \return i + 1 for the cell of point i, 0 for the exterior, in the order of the grid's points.
+ * \throws std::invalid_argument for fewer than four points, two at one place, all in one plane, one that is not finite
+ * or not in the box.
+ * \throws Aborted where `progress` asks to stop. */
+std::vector<std::int32_t>
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid,
+               const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
+} // namespace tissue
+
+#endif

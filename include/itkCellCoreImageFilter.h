@@ -1,0 +1,108 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkCellCoreImageFilter_h
+#define itkCellCoreImageFilter_h
+
+#include "itkImage.h"
+#include "itkImageToImageFilter.h"
+#include "TissueTessellationCore/Types.h"
+
+#include <vector>
+
+namespace itk
+{
+/** \class CellCoreImageFilter
+ * \brief The inner parts of the cells of an approximate label image, as markers of a watershed.
+ *
+ * Input: a three-dimensional label image of any integer pixel type. Output: 0 where nothing is marked, 1 in the depth
+ * of the exterior, and a number from 2 on in the core of each cell; GetLabels() tells the cells' labels.
+ *
+ * A voxel's depth is its distance to the nearest voxel, of its own cell too, that has another label beside it; the
+ * border of the image bounds nothing. The core of a cell is where the depth is at least CoreDepth times the cell's
+ * largest, so every cell has one. The exterior is marked where its depth is more than the margin.
+ *
+ * Errors (ExceptionObject): no cell at all.
+ *
+ * \sa MembraneToTissueLabelImageFilter
+ * \ingroup TissueTessellation
+ */
+template <typename TLabelImage>
+class ITK_TEMPLATE_EXPORT CellCoreImageFilter : public ImageToImageFilter<TLabelImage, Image<std::uint32_t, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CellCoreImageFilter);
+
+  using Self = CellCoreImageFilter;
+  using LabelImageType = TLabelImage;
+  using MarkerImageType = Image<std::uint32_t, 3>;
+  using Superclass = ImageToImageFilter<LabelImageType, MarkerImageType>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using LabelPixelType = typename LabelImageType::PixelType;
+
+  itkNewMacro(Self);
+  itkTypeMacro(CellCoreImageFilter, ImageToImageFilter);
+
+  /** The exterior's label; 0 never is a cell. Default: 0. */
+  itkSetMacro(ExteriorLabel, LabelPixelType);
+  itkGetConstMacro(ExteriorLabel, LabelPixelType);
+
+  /** Depth of the core over the largest depth of its cell, 0 .. 1; default 0.5. */
+  itkSetClampMacro(CoreDepth, double, 0.0, 1.0);
+  itkGetConstMacro(CoreDepth, double);
+
+  /** How far the exterior's marker stays from the cells, over the diameter of the mean cell (of a ball of its volume);
+   * default 0.4. */
+  itkSetClampMacro(ExteriorMargin, double, 0.0, 1e6);
+  itkGetConstMacro(ExteriorMargin, double);
+
+  /** The label of the cell of marker m at m - 2. Valid after the update. */
+  const std::vector<tissue::Label> &
+  GetLabels() const
+  {
+    return m_Labels;
+  }
+
+protected:
+  CellCoreImageFilter() = default;
+  ~CellCoreImageFilter() override = default;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  EnlargeOutputRequestedRegion(DataObject * output) override;
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  using DistanceImageType = Image<float, 3>;
+
+  typename DistanceImageType::Pointer
+  ComputeDepth();
+
+  /** Puts 1 into the exterior and the numbers of the cells into these; returns the number of voxels of each marker. */
+  std::vector<SizeValueType>
+  NumberCells();
+
+  LabelPixelType             m_ExteriorLabel = 0;
+  double                     m_CoreDepth = 0.5;
+  double                     m_ExteriorMargin = 0.4;
+  std::vector<tissue::Label> m_Labels;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkCellCoreImageFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,138 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkMembraneToTissueLabelImageFilter_h
+#define itkMembraneToTissueLabelImageFilter_h
+
+#include "itkImage.h"
+#include "itkImageToImageFilter.h"
+
+#include <vector>
+
+namespace itk
+{
+/** \class MembraneToTissueLabelImageFilter
+ * \brief From an image of bright cell membranes to the label image of its cells, by a watershed from markers.
+ *
+ * The mini-pipeline:
+ *
+ *     approximate cells -> resampled -> CellCoreImageFilter --+
+ *                     (or) MembraneMarkerImageFilter ---------+-> markers -+
+ *     membrane image -> smoothed ------------------------------------------+-> MorphologicalWatershedFromMarkers
+ *
+ * Inputs: a three-dimensional scalar image of any pixel type and, optionally, a label image that tells about where each
+ * cell is (SetCellImage(), such as PointSetToTissueLabelImageFilter makes of points), on any grid: it is brought to
+ * that of the membranes by its nearest voxels, and beyond it is exterior. With it the output has its labels and its
+ * exterior label, and every cell has at least the core it has there. Without it the markers are the minima of the
+ * membrane image, and the labels are 1, 2, ... in raster order of these.
+ *
+ * Output: on the grid of the membrane image; every voxel is a cell's or the exterior's.
+ *
+ * Errors (ExceptionObject): a pixel that is no finite number, with its place; an image of one value; no cell; cells of
+ * the cell image that lie outside of the membrane image; more cells than the output's pixel type can number.
+ *
+ * \sa CellCoreImageFilter MembraneMarkerImageFilter MorphologicalWatershedFromMarkersImageFilter
+ * \ingroup TissueTessellation
+ */
+template <typename TMembraneImage, typename TLabelImage>
+class ITK_TEMPLATE_EXPORT MembraneToTissueLabelImageFilter : public ImageToImageFilter<TMembraneImage, TLabelImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(MembraneToTissueLabelImageFilter);
+
+  using Self = MembraneToTissueLabelImageFilter;
+  using Superclass = ImageToImageFilter<TMembraneImage, TLabelImage>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using MembraneImageType = TMembraneImage;
+  using LabelImageType = TLabelImage;
+  using LabelPixelType = typename LabelImageType::PixelType;
+
+  itkNewMacro(Self);
+  itkTypeMacro(MembraneToTissueLabelImageFilter, ImageToImageFilter);
+
+  /** Where the cells are, about; optional. */
+  void
+  SetCellImage(const LabelImageType * cells);
+
+  const LabelImageType *
+  GetCellImage() const;
+
+  /** Of the cell image and of the output; default 0. */
+  itkSetMacro(ExteriorLabel, LabelPixelType);
+  itkGetConstMacro(ExteriorLabel, LabelPixelType);
+
+  /** Standard deviation of the smoothing of what is flooded, in physical units; default 0: none. */
+  itkSetClampMacro(Sigma, double, 0.0, NumericTraits<double>::max());
+  itkGetConstMacro(Sigma, double);
+
+  /** See CellCoreImageFilter; default 0.5. */
+  itkSetClampMacro(CoreDepth, double, 0.0, 1.0);
+  itkGetConstMacro(CoreDepth, double);
+
+  /** See MembraneMarkerImageFilter: of the minima that are the markers without a cell image; default 0: by the voxels.
+   */
+  itkSetClampMacro(MarkerSigma, double, 0.0, NumericTraits<double>::max());
+  itkGetConstMacro(MarkerSigma, double);
+
+  /** See MembraneMarkerImageFilter; default 0.015. */
+  itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
+  itkGetConstMacro(MinimumDepth, double);
+
+  /** Valid after the update. */
+  itkGetConstMacro(NumberOfCells, SizeValueType);
+
+protected:
+  MembraneToTissueLabelImageFilter();
+  ~MembraneToTissueLabelImageFilter() override = default;
+
+  void
+  VerifyInputInformation() const override
+  {} // The cell image may have another grid.
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  EnlargeOutputRequestedRegion(DataObject * output) override;
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  using MarkerImageType = Image<std::uint32_t, 3>;
+
+  typename LabelImageType::Pointer
+  ResampleCells();
+
+  /** Sets the labels of the markers too: the first are of none and of the exterior. */
+  typename MarkerImageType::Pointer
+  MakeMarkers(std::vector<LabelPixelType> & labels);
+
+  typename MarkerImageType::Pointer
+  MarkCores(std::vector<LabelPixelType> & labels);
+
+  typename MarkerImageType::Pointer
+  MarkMinima(std::vector<LabelPixelType> & labels);
+
+  LabelPixelType m_ExteriorLabel = 0;
+  double         m_Sigma = 0.0;
+  double         m_CoreDepth = 0.5;
+  double         m_MarkerSigma = 0.0;
+  double         m_MinimumDepth = 0.015;
+  SizeValueType  m_NumberOfCells = 0;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkMembraneToTissueLabelImageFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,108 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkPointSetToTissueLabelImageFilter_h
+#define itkPointSetToTissueLabelImageFilter_h
+
+#include "TissueTessellationCore/TissueMask.h"
+#include "itkImageBase.h"
+#include "itkImageSource.h"
+#include "itkPointSet.h"
+
+#include <limits>
+
+namespace itk
+{
+/** \class PointSetToTissueLabelImageFilter
+ * \brief Makes the label image of a tissue from the centres of its cells alone.
+ *
+ * Input: a point set of at least four cell centres in physical space, those of nuclei for one. Output: a 3-D label
+ * image with label i + 1 for the i-th point in the order of the container, each of which has a cell, and 0 for the
+ * exterior; it is for the filters that take segmented images.
+ *
+ * The tissue is the inside of the points' Delaunay tetrahedralization, cleaned of surface triangles that are too large
+ * for the local spacing, and a margin of part of a cell. In it the cells are the anisotropic tessellation that has its
+ * cells' centroids on the points: cells are not told by the points alone, but that centres are centroids tells more of
+ * their sizes and shapes than the points' Voronoi cells do.
+ *
+ * The box that the points were seen in is that of the reference image, if there is one: its voxels, whole; then cells
+ * at its sides are cut by them. Else it is the points' bounding box, padded. The output fills the box with nearly cubic
+ * voxels along the box's direction, about VoxelsPerCell to a cell. It is the same for any number of threads.
+ *
+ * Progress is that of the whole; the filter can be aborted. Errors (ExceptionObject): fewer than four points, two at
+ * the same place, all in one plane, one that is not finite or outside of the box; more points than the pixel type has
+ * labels.
+ *
+ * \sa LabelImageToCellWallMeshFilter
+ * \ingroup TissueTessellation */
+template <typename TPointSet, typename TLabelImage>
+class ITK_TEMPLATE_EXPORT PointSetToTissueLabelImageFilter : public ImageSource<TLabelImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(PointSetToTissueLabelImageFilter);
+
+  using Self = PointSetToTissueLabelImageFilter;
+  using Superclass = ImageSource<TLabelImage>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using PointSetType = TPointSet;
+  using LabelImageType = TLabelImage;
+  using LabelPixelType = typename LabelImageType::PixelType;
+  using ReferenceImageType = ImageBase<3>;
+
+  static_assert(TPointSet::PointDimension == 3 && TLabelImage::ImageDimension == 3, "A tissue has three dimensions.");
+  static_assert(std::numeric_limits<LabelPixelType>::is_integer, "Labels are integers.");
+
+  itkNewMacro(Self);
+  itkTypeMacro(PointSetToTissueLabelImageFilter, ImageSource);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const PointSetType * points);
+  const PointSetType *
+  GetInput() const;
+
+  /** The image that the points were found in, for the box it fills: its voxels are not read. Optional. */
+  itkSetInputMacro(ReferenceImage, ReferenceImageType);
+  itkGetInputMacro(ReferenceImage, ReferenceImageType);
+
+  /** Voxels a cell of the output, about; at least 50. Default: 1000. */
+  itkSetMacro(VoxelsPerCell, double);
+  itkGetConstMacro(VoxelsPerCell, double);
+
+protected:
+  PointSetToTissueLabelImageFilter();
+  ~PointSetToTissueLabelImageFilter() override = default;
+
+  /** Updates the input: the output's size depends on the points. */
+  void
+  GenerateOutputInformation() override;
+
+  void
+  EnlargeOutputRequestedRegion(DataObject * output) override;
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  /** The points along the axes of the box, from its corner; without a reference image physical. */
+  std::vector<tissue::Point>
+  MakePoints() const;
+
+  tissue::TissueGrid m_Grid;
+  double             m_VoxelsPerCell{ 1000.0 };
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkPointSetToTissueLabelImageFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,172 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkPointSetToTissueLabelImageFilter_hxx
+#define itkPointSetToTissueLabelImageFilter_hxx
+
+#include "itkPointSetToTissueLabelImageFilter.h"
+
+#include "TissueTessellationCore/PointTissue.h"
+#include "itkContinuousIndex.h"
+#include "itkCoreParallelFor.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace itk
+{
+template <typename TPointSet, typename TLabelImage>
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::PointSetToTissueLabelImageFilter()
+{
+  this->SetNumberOfRequiredInputs(1);
+  this->AddOptionalInputName("ReferenceImage", 1);
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::SetInput(const PointSetType * points)
+{
+  this->SetNthInput(0, const_cast<PointSetType *>(points));
+}
+
+template <typename TPointSet, typename TLabelImage>
+auto
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GetInput() const -> const PointSetType *
+{
+  return itkDynamicCastInDebugMode<const PointSetType *>(this->GetPrimaryInput());
+}
+
+template <typename TPointSet, typename TLabelImage>
+std::vector<tissue::Point>
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::MakePoints() const
+{
+  const ReferenceImageType * const reference = this->GetReferenceImage();
+  std::vector<tissue::Point>       points;
+  if (this->GetInput()->GetNumberOfPoints() == 0)
+  {
+    return points;
+  }
+  const auto * const container = this->GetInput()->GetPoints();
+  for (auto it = container->Begin(); it != container->End(); ++it)
+  {
+    itk::Point<double, 3> physical;
+    physical.CastFrom(it.Value());
+    tissue::Point point = { { physical[0], physical[1], physical[2] } };
+    if (reference != nullptr)
+    {
+      const auto index = reference->TransformPhysicalPointToContinuousIndex<double>(physical);
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        point[i] = (index[i] - reference->GetLargestPossibleRegion().GetIndex(i) + 0.5) * reference->GetSpacing()[i];
+      }
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateOutputInformation()
+{
+  if (const auto source = this->GetInput()->GetSource())
+  {
+    source->Update();
+  }
+  const std::vector<tissue::Point> points = this->MakePoints();
+  if (points.size() > static_cast<uint64_t>(NumericTraits<LabelPixelType>::max()))
+  {
+    itkExceptionMacro("There are " << points.size() << " points, but the pixel type's greatest label is "
+                                   << NumericTraits<LabelPixelType>::max() + 0);
+  }
+  LabelImageType * const           output = this->GetOutput();
+  const ReferenceImageType * const reference = this->GetReferenceImage();
+  try
+  {
+    tissue::Box box{};
+    if (reference != nullptr)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        box.upper[i] = reference->GetLargestPossibleRegion().GetSize(i) * reference->GetSpacing()[i];
+      }
+    }
+    else
+    {
+      box = tissue::PaddedBox(points);
+    }
+    m_Grid = tissue::MakePointGrid(points, box, m_VoxelsPerCell);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+  const tissue::Point                first = m_Grid.Position(0, 0, 0);
+  typename LabelImageType::PointType origin;
+  typename LabelImageType::SizeType  size;
+  ContinuousIndex<double, 3>         index;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    origin[i] = first[i];
+    size[i] = static_cast<SizeValueType>(m_Grid.size[i]);
+    if (reference != nullptr)
+    {
+      index[i] = first[i] / reference->GetSpacing()[i] - 0.5 + reference->GetLargestPossibleRegion().GetIndex(i);
+    }
+  }
+  if (reference != nullptr)
+  {
+    reference->TransformContinuousIndexToPhysicalPoint(index, origin);
+    output->SetDirection(reference->GetDirection());
+  }
+  output->SetSpacing(m_Grid.steps.data());
+  output->SetOrigin(origin);
+  output->SetLargestPossibleRegion(typename LabelImageType::RegionType(size));
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::EnlargeOutputRequestedRegion(DataObject * output)
+{
+  output->SetRequestedRegionToLargestPossibleRegion();
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
+{
+  this->AllocateOutputs();
+  const auto progress = [this](double fraction) {
+    this->UpdateProgress(static_cast<float>(fraction));
+    return !this->GetAbortGenerateData();
+  };
+  try
+  {
+    const auto labels = tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeParallelFor(this), progress);
+    std::transform(labels.begin(), labels.end(), this->GetOutput()->GetBufferPointer(), [](std::int32_t label) {
+      return static_cast<LabelPixelType>(label);
+    });
+  }
+  catch (const tissue::Aborted &)
+  {
+    throw ProcessAborted(__FILE__, __LINE__);
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "VoxelsPerCell: " << m_VoxelsPerCell << std::endl;
+}
+} // namespace itk
+
+#endif
