@@ -11,6 +11,7 @@ itk_module(TissueTessellation
     ITKDistanceMap
     ITKImageGrid
     ITKImageIntensity
+    ITKImageNoise
     ITKImageSources
     ITKLabelMap
     ITKMathematicalMorphology

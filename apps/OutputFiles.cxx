@@ -105,6 +105,16 @@ OutputFiles::RequireWritable(const std::string & path)
 }
 
 void
+OutputFiles::RequireNotInput(const std::string & path, const std::string & input)
+{
+  std::error_code isOther;
+  if (fs::equivalent(path, input, isOther))
+  {
+    Refuse(path, "it is the input");
+  }
+}
+
+void
 OutputFiles::Add(const std::string & path, const Writer & write)
 {
   const fs::path target = ResolveTarget(path);

@@ -34,6 +34,10 @@ public:
   static void
   RequireWritable(const std::string & path);
 
+  /** Throws where the path is that of an input, which would be lost. */
+  static void
+  RequireNotInput(const std::string & path, const std::string & input);
+
   /** Writes a file that Commit() will name `path`; no two may have the same. */
   void
   Add(const std::string & path, const Writer & write);

@@ -7,8 +7,10 @@
 // Writes the label image of a synthetic tissue: SyntheticTissue [options] labels.mha
 
 #include "OutputFiles.h"
+#include "PointOutput.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
+#include "itkSyntheticNucleiImageFilter.h"
 #include "itkSyntheticTissueImageSource.h"
 
 #include <CLI/CLI.hpp>
@@ -44,6 +46,9 @@ struct Options
   std::uint32_t                exteriorLabel = 0;
   std::uint32_t                firstLabel = 1;
   std::string                  pixelType = "uint16";
+  std::string                  nuclei;
+  std::string                  nucleiPoints;
+  double                       signalToNoise = 5.0;
   std::uint32_t                threads = 0;
   bool                         compress = false;
   bool                         isQuiet = false;
@@ -91,6 +96,10 @@ AddOptions(CLI::App & app, Options & options)
     ->check(UpTo<std::uint32_t>());
   app.add_option("--pixelType", options.pixelType, "Type of the labels")
     ->check(CLI::IsMember({ "uint8", "uint16", "uint32" }));
+  app.add_option("--nuclei", options.nuclei, "Also write an image like that of the cells' stained nuclei");
+  app.add_option("--nucleiPoints", options.nucleiPoints, "Also write where the nuclei are: .csv, .fcsv or .vtp");
+  app.add_option("--signalToNoise", options.signalToNoise, "Of the nuclei's image: signal of a nucleus over noise")
+    ->check(CLI::Range(0.1, 100.0));
   app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
   app.add_flag("--compress", options.compress, "Compress the image");
   app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
@@ -158,6 +167,25 @@ ToPixel(std::uint32_t label, const std::string & option)
   return static_cast<TPixel>(label);
 }
 
+/** Nuclei by label, with their radii. */
+template <typename TNuclei>
+tissue::PointTable
+ToTable(const TNuclei & nuclei)
+{
+  tissue::PointTable table;
+  table.columns = { { "label", {} }, { "radius", {} } };
+  for (itk::SizeValueType i = 0; i < nuclei.GetNumberOfPoints(); ++i)
+  {
+    const auto point = nuclei.GetPoint(i);
+    table.points.push_back({ { point[0], point[1], point[2] } });
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      table.columns[c].second.push_back(nuclei.GetPointData()->GetElement(i)[c]);
+    }
+  }
+  return table;
+}
+
 template <typename TPixel>
 void
 Run(const Options & options)
@@ -165,6 +193,12 @@ Run(const Options & options)
   using ImageType = itk::Image<TPixel, 3>;
   MakeImageIO(options.labels);
   tissue::OutputFiles::RequireWritable(options.labels);
+  if (!options.nuclei.empty())
+  {
+    MakeImageIO(options.nuclei);
+    tissue::OutputFiles::RequireWritable(options.nuclei);
+  }
+  const std::string pointFormat = options.nucleiPoints.empty() ? "" : tissue::RequirePointFormat(options.nucleiPoints);
 
   const auto source = itk::SyntheticTissueImageSource<ImageType>::New();
   source->SetSize(itk::Size<3>{ { options.size[0], options.size[1], options.size[2] } });
@@ -183,9 +217,28 @@ Run(const Options & options)
   progress.Begin("Growing cells");
   progress.Observe(source);
   source->Update();
+  const auto nuclei = itk::SyntheticNucleiImageFilter<ImageType>::New();
+  if (!options.nuclei.empty() || !options.nucleiPoints.empty())
+  {
+    nuclei->SetInput(source->GetOutput());
+    nuclei->SetExteriorLabel(source->GetExteriorLabel());
+    nuclei->SetSignalToNoise(options.signalToNoise);
+    nuclei->SetSeed(static_cast<std::uint32_t>(options.seed));
+    progress.Begin("Staining nuclei");
+    nuclei->Update();
+  }
   progress.Begin("Writing");
   tissue::OutputFiles files;
   files.Add(options.labels, [&](const std::string & path) { Write(source->GetOutput(), path, options.compress); });
+  if (!options.nuclei.empty())
+  {
+    files.Add(options.nuclei, [&](const std::string & path) { Write(nuclei->GetOutput(), path, options.compress); });
+  }
+  if (!options.nucleiPoints.empty())
+  {
+    files.Add(options.nucleiPoints,
+              [&](const std::string & path) { tissue::WritePoints(ToTable(*nuclei->GetNuclei()), path, pointFormat); });
+  }
   files.Commit();
   progress.End();
   if (!options.isQuiet)

@@ -12,6 +12,7 @@
 #include "LapTimer.h"
 #include "StandardErrorCapture.h"
 #include "TissueTessellationCore/SeparatedCells.h"
+#include "VisitPixelType.h"
 #include "itkExteriorLabelImageCalculator.h"
 
 #include "itkLabelGapClosingImageFilter.h"
@@ -145,6 +146,10 @@ Process(const itk::ImageIOBase * io, const TissueTessellationOptions & options, 
   }
 
   ExtractJunctions(image.GetPointer(), options, progress, input);
+  if (options.keepsImage)
+  {
+    input.image = image;
+  }
 }
 } // namespace
 
@@ -204,33 +209,8 @@ ReadTissue(const TissueTessellationOptions & options, ProgressBar & progress)
   RequireLabelImage(io);
   RequireAllVoxels(options.labels, io);
   input.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
-  switch (io->GetComponentType())
-  {
-    case itk::IOComponentEnum::UCHAR:
-      Process<unsigned char>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::CHAR:
-      Process<signed char>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::USHORT:
-      Process<unsigned short>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::SHORT:
-      Process<short>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::UINT:
-      Process<unsigned int>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::INT:
-      Process<int>(io, options, progress, input);
-      break;
-    case itk::IOComponentEnum::ULONG:
-    case itk::IOComponentEnum::ULONGLONG:
-      Process<unsigned long long>(io, options, progress, input);
-      break;
-    default:
-      Process<long long>(io, options, progress, input);
-  }
+  input.componentType = io->GetComponentType();
+  VisitPixelType(input.componentType, [&](auto zero) { Process<decltype(zero)>(io, options, progress, input); });
   if (!options.spacing)
   {
     CheckSpacing(io, input);

@@ -12,6 +12,8 @@
 #include "TissueTessellationCore/LabelVolume.h"
 #include "itkTissueJunctions.h"
 
+#include <itkCommonEnums.h>
+
 namespace tissue
 {
 /** A label image as the program takes it: its junctions, and what is to be said of it. */
@@ -20,6 +22,9 @@ struct TissueInput
   itk::TissueJunctions::Pointer junctions;
   /** The labels that the walls are fitted to; none if they are not. */
   std::shared_ptr<const LabelVolume> volume;
+  /** The image itself, of the pixels that VisitPixelType() gives of the component type; none unless it is kept. */
+  itk::DataObject::ConstPointer image;
+  itk::IOComponentEnum          componentType = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
   /** Of the file of points; 0 for an image. */
   std::size_t                numberOfPoints = 0;
   std::string                pixelType;

@@ -8,20 +8,17 @@
 #include "ProgressBar.h"
 #include "RunProgram.h"
 #include "TissueInput.h"
-#include "TissueTessellationCore/Voids.h"
-#include "TissueTessellationCore/WallDistance.h"
-#include "TissueTessellationCore/WallMeshEvaluation.h"
-#include "VoxelDice.h"
+#include "VisitPixelType.h"
 #include "WallMeshInput.h"
+#include "itkCellWallMeshEvaluationCalculator.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <numeric>
+#include <sstream>
 
 namespace tissue
 {
@@ -37,26 +34,11 @@ struct Options
   std::string               report;
 };
 
-/** All that is found of a mesh. */
-struct Evaluation
+/** All that is found of a mesh, by the cells of the image. */
+struct Evaluation : TissueMeshEvaluation
 {
-  JunctionSet         junctions;
-  WallMeshEvaluation  mesh;
-  WallDistance        distance;
-  std::vector<double> dice;
+  std::vector<Cell> imageCells;
 };
-
-/** The volume with the voids counted to the exterior, as in the junctions. */
-LabelVolume
-WithoutVoids(LabelVolume volume, VertexId numberOfVertices)
-{
-  std::replace_if(
-    volume.vertices.begin(),
-    volume.vertices.end(),
-    [numberOfVertices](VertexId v) { return v >= numberOfVertices; },
-    ExteriorVertex);
-  return volume;
-}
 
 TissueInput
 ReadLabels(const Options & options, ProgressBar & progress)
@@ -76,36 +58,40 @@ Evaluate(const Options & options)
 {
   ProgressBar       progress(options.input.isQuiet);
   const TissueInput input = ReadLabels(options, progress);
-  Evaluation        result;
-  // A mesh of any origin knows one exterior.
-  result.junctions = MergeVoids(input.junctions->GetJunctionSet());
   progress.Begin("Reading the mesh");
-  const WallMesh walls = ReadWallMesh(options.mesh, options.labelArray, result.junctions);
-  const auto     numberOfVertices = static_cast<VertexId>(result.junctions.cells.size());
+  const auto triangles = std::make_shared<const TrianglesOfLabels>(ReadWallMesh(options.mesh, options.labelArray));
   progress.Begin("Judging the mesh");
-  const LabelVolume volume = WithoutVoids(*input.volume, numberOfVertices);
-  result.mesh = EvaluateWallMesh(walls, result.junctions);
-  result.distance = MeasureWallDistance(walls, numberOfVertices, volume);
-  progress.Begin("Comparing voxels");
-  result.dice = ComputeVoxelDice(walls, numberOfVertices, volume);
+  Evaluation result;
+  VisitPixelType(input.componentType, [&](auto zero) {
+    using ImageType = itk::Image<decltype(zero), 3>;
+    const auto calculator = itk::CellWallMeshEvaluationCalculator<ImageType>::New();
+    calculator->SetImage(dynamic_cast<const ImageType *>(input.image.GetPointer()));
+    calculator->SetJunctions(input.junctions);
+    calculator->SetTriangles(triangles);
+    try
+    {
+      calculator->Compute();
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      throw std::runtime_error(options.mesh + ": " + ToMessage(error));
+    }
+    result = { calculator->GetEvaluation(), calculator->GetCells() };
+  });
   progress.End();
   return result;
-}
-
-double
-MeanDice(const Evaluation & e)
-{
-  return std::accumulate(e.dice.begin() + 1, e.dice.end(), 0.0) / static_cast<double>(e.mesh.numberOfCells);
 }
 
 Json
 ToJson(const Evaluation & e)
 {
+  const auto                 numberOrNull = [](double value) { return value < 0.0 ? Json() : Json(value); };
+  const auto                 inVoxels = [&e](double distance) { return e.distance.InVoxels(distance); };
   const WallMeshEvaluation & m = e.mesh;
   Json                       json{
     { "cells", m.numberOfCells },
     { "triangles", m.numberOfTriangles },
-    { "trianglesPerCell", static_cast<double>(m.numberOfTriangles) / static_cast<double>(m.numberOfCells) },
+    { "trianglesPerCell", e.TrianglesPerCell() },
     { "adjacency2", m.overlap.adjacency2 },
     { "adjacency4", m.overlap.adjacency4 },
     { "corners", m.numberOfCorners },
@@ -113,28 +99,28 @@ ToJson(const Evaluation & e)
     { "missingCells", m.numberOfMissingCells },
     { "closedCells", m.numberOfClosedCells },
     { "spheres", m.numberOfSpheres },
-    { "meanVolumeError", m.meanVolumeError },
-    { "volumeErrorPercentile95", m.volumeErrorPercentile95 },
+    { "meanVolumeError", numberOrNull(m.meanVolumeError) },
+    { "volumeErrorPercentile95", numberOrNull(m.volumeErrorPercentile95) },
     { "shareWithinOnePercent", m.shareWithinOnePercent },
-    { "wallDistance", e.distance.mean },
-    { "wallDistanceInVoxels", e.distance.meanInVoxels },
+    { "wallDistance", numberOrNull(e.distance.mean) },
+    { "wallDistanceInVoxels", numberOrNull(inVoxels(e.distance.mean)) },
     { "shareOfFalseWalls", e.distance.shareOfFalseWalls },
     { "quality",
                             { { "mean", m.quality.mean }, { "fifthPercentile", m.quality.fifthPercentile }, { "least", m.quality.least } } },
     { "degenerateTriangles", m.numberOfDegenerateTriangles },
     { "crossingPairs", m.numberOfCrossings },
-    { "meanDice", MeanDice(e) },
-    { "meanConvexity", m.meanConvexity }
+    { "meanDice", e.meanDice },
+    { "meanConvexity", numberOrNull(m.meanConvexity) }
   };
-  const auto numberOrNull = [](double value) { return value < 0.0 ? Json() : Json(value); };
   for (std::size_t v = ExteriorVertex + 1; v < m.cells.size(); ++v)
   {
     const WallMeshEvaluation::Cell & cell = m.cells[v];
-    json["byCell"].push_back({ { "label", e.junctions.cells[v].label },
+    json["byCell"].push_back({ { "label", e.imageCells[v].label },
                                { "isClosed", cell.isClosed },
                                { "eulerCharacteristic", cell.eulerCharacteristic },
                                { "volumeError", numberOrNull(cell.volumeError) },
-                               { "wallDistance", e.distance.ofVertex[v] },
+                               { "wallDistance", numberOrNull(e.distance.ofVertex[v]) },
+                               { "wallDistanceInVoxels", numberOrNull(inVoxels(e.distance.ofVertex[v])) },
                                { "dice", e.dice[v] },
                                { "convexity", numberOrNull(cell.convexity) } });
   }
@@ -148,21 +134,27 @@ Print(const Evaluation & e, std::ostream & stream)
   const auto                 line = [&stream](const char * name) -> std::ostream & {
     return stream << std::left << std::setw(34) << name << std::right;
   };
+  const auto numberOrNone = [](double value) {
+    std::ostringstream text;
+    text << std::setprecision(4);
+    value < 0.0 ? text << "none" : text << value;
+    return text.str();
+  };
   stream << std::setprecision(4);
-  line("Triangles") << m.numberOfTriangles << ", "
-                    << static_cast<double>(m.numberOfTriangles) / static_cast<double>(m.numberOfCells) << " a cell\n";
+  line("Triangles") << m.numberOfTriangles << ", " << e.TrianglesPerCell() << " a cell\n";
   line("Adjacency2, adjacency4") << m.overlap.adjacency2 << ", " << m.overlap.adjacency4 << '\n';
   line("Corners of more than four cells") << m.numberOfCrowdedCorners << " of " << m.numberOfCorners << '\n';
   line("Cells: closed, spheres, missing") << m.numberOfClosedCells << ", " << m.numberOfSpheres << ", "
                                           << m.numberOfMissingCells << " of " << m.numberOfCells << '\n';
-  line("Volume error: mean, 95 %") << m.meanVolumeError << ", " << m.volumeErrorPercentile95 << "; "
-                                   << m.shareWithinOnePercent << " of the cells within 1 %\n";
-  line("Wall to the same wall") << e.distance.mean << ", in voxels " << e.distance.meanInVoxels << "; "
+  line("Volume error: mean, 95 %") << numberOrNone(m.meanVolumeError) << ", " << numberOrNone(m.volumeErrorPercentile95)
+                                   << "; " << m.shareWithinOnePercent << " of the cells within 1 %\n";
+  line("Wall to the same wall") << numberOrNone(e.distance.mean) << ", in voxels "
+                                << numberOrNone(e.distance.InVoxels(e.distance.mean)) << "; "
                                 << e.distance.shareOfFalseWalls << " of the area in walls that the image has not\n";
   line("Quality: mean, 5 %, least") << m.quality.mean << ", " << m.quality.fifthPercentile << ", " << m.quality.least
                                     << "; degenerate " << m.numberOfDegenerateTriangles << '\n';
   line("Pairs of triangles that cross") << m.numberOfCrossings << '\n';
-  line("Dice of voxels, convexity of cells") << MeanDice(e) << ", " << m.meanConvexity << '\n';
+  line("Dice of voxels, convexity of cells") << e.meanDice << ", " << numberOrNone(m.meanConvexity) << '\n';
 }
 
 void
@@ -171,6 +163,13 @@ Run(const Options & options)
   if (!options.report.empty())
   {
     OutputFiles::RequireWritable(options.report);
+    OutputFiles::RequireNotInput(options.report, options.mesh);
+    OutputFiles::RequireNotInput(options.report, options.input.labels);
+  }
+  if (options.input.threads > 0)
+  {
+    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.input.threads);
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.input.threads);
   }
   const Evaluation evaluation = Evaluate(options);
   if (!options.report.empty())
@@ -199,7 +198,10 @@ main(int argc, char ** argv)
 {
   return tissue::RunProgram("TissueMeshEvaluation", [&] {
     tissue::Options options;
-    CLI::App        app("Judges a mesh of cell walls, of any origin, by the label image that it is of.");
+    options.input.keepsImage = true;
+    options.input.parameters.fitToImage = false;
+    options.input.parameters.separateVoids = false; // a mesh of any origin knows one exterior
+    CLI::App app("Judges a mesh of cell walls, of any origin, by the label image that it is of.");
     app.option_defaults()->always_capture_default();
     app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
     app.add_option("MESH", options.mesh, "Triangles with two labels each (.vtp, .vtk)")->required();
@@ -210,6 +212,8 @@ main(int argc, char ** argv)
       "--exteriorLabel", options.input.exteriorLabel, "Label of the exterior; found in the image by default");
     app.add_flag("--zeroIsCell", options.input.zeroIsCell, "Take label 0 for a cell");
     app.add_option("--spacing", options.input.spacing, "Voxel size x y z in place of the image file's");
+    app.add_option("--threads", options.input.threads, "Threads; 0: all cores. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
     app.add_flag("--quiet", options.input.isQuiet, "Say nothing but errors");
     try
     {

@@ -39,11 +39,7 @@ CheckOutputs(const TissueTessellationOptions & options)
     OutputFiles::RequireWritable(path);
     for (const std::string & input : options.Inputs())
     {
-      std::error_code isOther;
-      if (fs::equivalent(path, input, isOther))
-      {
-        throw std::runtime_error("Cannot write the " + content + " to '" + path + "': it is the input");
-      }
+      OutputFiles::RequireNotInput(path, input);
     }
     if (!paths.insert(fs::weakly_canonical(fs::absolute(path))).second)
     {

@@ -60,6 +60,8 @@ struct TissueTessellationOptions
 
   unsigned int threads = 0;
   bool         isQuiet = false;
+  /** Whether the image is wanted beside what is found in it; no option of the command line. */
+  bool keepsImage = false;
 
   struct Output
   {

@@ -6,8 +6,6 @@
  *=========================================================================*/
 #include "WallMeshInput.h"
 
-#include "TissueTessellationCore/LabelledTriangles.h"
-
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -19,9 +17,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace tissue
@@ -64,28 +62,10 @@ ReadPolyData(const std::string & path)
   return legacy->GetOutput();
 }
 
-VertexId
-VertexOfLabel(Label label, const JunctionSet & junctions, const std::string & path)
-{
-  const std::vector<Cell> & cells = junctions.cells;
-  const auto                at = std::lower_bound(
-    cells.begin() + 1, cells.end(), label, [](const Cell & cell, Label wanted) { return cell.label < wanted; });
-  if (at != cells.end() && at->label == label)
-  {
-    return static_cast<VertexId>(at - cells.begin());
-  }
-  if (label != cells[ExteriorVertex].label)
-  {
-    Fail(path,
-         "has label " + std::to_string(label) + ", which the image has not; its exterior label is " +
-           std::to_string(cells[ExteriorVertex].label) + " (--exteriorLabel)");
-  }
-  return ExteriorVertex;
-}
-
 vtkDataArray *
 RequireLabelArray(vtkPolyData * data, const std::string & name, const std::string & path)
 {
+  const vtkIdType      numberOfTriangles = data->GetNumberOfPolys();
   vtkDataArray * const array = data->GetCellData()->GetArray(name.c_str());
   if (!array)
   {
@@ -95,27 +75,32 @@ RequireLabelArray(vtkPolyData * data, const std::string & name, const std::strin
   {
     Fail(path, "array " + name + " has " + std::to_string(array->GetNumberOfComponents()) + " components, must have 2");
   }
+  if (array->GetNumberOfTuples() != numberOfTriangles)
+  {
+    Fail(path,
+         "array " + name + " has labels for " + std::to_string(array->GetNumberOfTuples()) + " of the " +
+           std::to_string(numberOfTriangles) + " triangles");
+  }
   return array;
 }
 
-std::vector<Point>
-ReadPoints(vtkPolyData * data, const std::string & path)
+/** Refuses what is no label, and what is too large for VTK's numbers to tell from its neighbours. */
+Label
+ToLabel(double value, vtkIdType triangle, const std::string & path)
 {
-  std::vector<Point> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t p = 0; p < points.size(); ++p)
+  constexpr double limit = 9007199254740992.0;
+  if (!(std::abs(value) < limit) || value != std::floor(value))
   {
-    data->GetPoint(static_cast<vtkIdType>(p), points[p].data());
-    if (!std::all_of(points[p].begin(), points[p].end(), [](double x) { return std::isfinite(x); }))
-    {
-      Fail(path, "point " + std::to_string(p) + " is not finite");
-    }
+    std::ostringstream text;
+    text << "triangle " << triangle << " has label " << value << ", labels are whole numbers below " << limit;
+    Fail(path, text.str());
   }
-  return points;
+  return static_cast<Label>(value);
 }
 } // namespace
 
-WallMesh
-ReadWallMesh(const std::string & path, const std::string & labelArray, const JunctionSet & junctions)
+TrianglesOfLabels
+ReadWallMesh(const std::string & path, const std::string & labelArray)
 {
   const vtkSmartPointer<vtkPolyData> data = ReadPolyData(path);
   const vtkIdType                    numberOfTriangles = data->GetNumberOfPolys();
@@ -126,8 +111,12 @@ ReadWallMesh(const std::string & path, const std::string & labelArray, const Jun
            " cells, must have nothing but triangles");
   }
   vtkDataArray * const labels = RequireLabelArray(data, labelArray, path);
-  LabelledTriangles    mesh;
-  mesh.points = ReadPoints(data, path);
+  TrianglesOfLabels    mesh;
+  mesh.points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    data->GetPoint(static_cast<vtkIdType>(p), mesh.points[p].data());
+  }
   const vtkNew<vtkIdList> polygon;
   for (vtkIdType t = 0; t < numberOfTriangles; ++t)
   {
@@ -138,24 +127,17 @@ ReadWallMesh(const std::string & path, const std::string & labelArray, const Jun
            "polygon " + std::to_string(t) + " has " + std::to_string(polygon->GetNumberOfIds()) +
              " corners, must have 3");
     }
-    LabelledTriangles::Triangle triangle;
+    TrianglesOfLabels::Triangle triangle;
     for (int i = 0; i < 3; ++i)
     {
       triangle.points[i] = static_cast<PointId>(polygon->GetId(i));
     }
     for (int side = 0; side < 2; ++side)
     {
-      triangle.cells[side] = VertexOfLabel(static_cast<Label>(labels->GetComponent(t, side)), junctions, path);
+      triangle.labels[side] = ToLabel(labels->GetComponent(t, side), t, path);
     }
     mesh.triangles.push_back(triangle);
   }
-  try
-  {
-    return MakeWallMesh(mesh);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    Fail(path, error.what());
-  }
+  return mesh;
 }
 } // namespace tissue

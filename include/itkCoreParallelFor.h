@@ -14,20 +14,29 @@
 
 namespace itk
 {
-/** The core's parallel loops by the threads of a filter, which must outlive what is returned. */
+/** The core's parallel loops by the threads of who calls, which must outlive what is returned. */
 inline tissue::ParallelFor
-MakeParallelFor(ProcessObject * filter)
+MakeParallelFor(MultiThreaderBase * threader)
 {
-  return [filter](std::size_t count, const std::function<void(std::size_t)> & body) {
+  return [threader](std::size_t count, const std::function<void(std::size_t)> & body) {
     if (count == 0)
     {
       return;
     }
     WorkUnitErrors errors;
-    filter->GetMultiThreader()->SetNumberOfWorkUnits(filter->GetNumberOfWorkUnits());
-    filter->GetMultiThreader()->ParallelizeArray(
+    threader->ParallelizeArray(
       0, count, [&](SizeValueType i) { errors.Run([&]() { body(i); }); }, nullptr);
     errors.Rethrow();
+  };
+}
+
+/** Likewise, by those of a filter. */
+inline tissue::ParallelFor
+MakeParallelFor(ProcessObject * filter)
+{
+  return [filter](std::size_t count, const std::function<void(std::size_t)> & body) {
+    filter->GetMultiThreader()->SetNumberOfWorkUnits(filter->GetNumberOfWorkUnits());
+    MakeParallelFor(filter->GetMultiThreader())(count, body);
   };
 }
 } // namespace itk

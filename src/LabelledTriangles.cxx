@@ -7,6 +7,8 @@
 #include "TissueTessellationCore/LabelledTriangles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -30,9 +32,21 @@ Orient(Triangle triangle)
 }
 
 void
+RequirePoints(const std::array<PointId, 3> & points, std::size_t triangle, std::size_t numberOfPoints)
+{
+  for (const PointId p : points)
+  {
+    if (p < 0 || static_cast<std::size_t>(p) >= numberOfPoints)
+    {
+      throw std::invalid_argument("triangle " + std::to_string(triangle) + " has point " + std::to_string(p) +
+                                  ", must be at least 0 and below " + std::to_string(numberOfPoints));
+    }
+  }
+}
+
+void
 Check(const LabelledTriangles & mesh)
 {
-  const auto numberOfPoints = static_cast<PointId>(mesh.points.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const Triangle & triangle = mesh.triangles[t];
@@ -41,17 +55,76 @@ Check(const LabelledTriangles & mesh)
       throw std::invalid_argument("triangle " + std::to_string(t) + " has cell " + std::to_string(triangle.cells[0]) +
                                   " on both sides");
     }
-    for (const PointId p : triangle.points)
-    {
-      if (p < 0 || p >= numberOfPoints)
-      {
-        throw std::invalid_argument("triangle " + std::to_string(t) + " has point " + std::to_string(p) +
-                                    ", must be at least 0 and below " + std::to_string(numberOfPoints));
-      }
-    }
+    RequirePoints(triangle.points, t, mesh.points.size());
   }
 }
+
+/** Of each point the first one at its place. */
+std::vector<PointId>
+FindFirstAtPlace(const std::vector<Point> & points)
+{
+  std::vector<PointId> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&points](PointId a, PointId b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;
+  });
+  std::vector<PointId> first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool isSame = i > 0 && points[order[i]] == points[order[i - 1]];
+    first[order[i]] = isSame ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+VertexId
+VertexOfLabel(Label label, std::size_t triangle, const std::vector<Cell> & cells)
+{
+  const auto at = std::lower_bound(
+    cells.begin() + 1, cells.end(), label, [](const Cell & cell, Label wanted) { return cell.label < wanted; });
+  if (at != cells.end() && at->label == label)
+  {
+    return static_cast<VertexId>(at - cells.begin());
+  }
+  if (label != cells[ExteriorVertex].label)
+  {
+    throw std::invalid_argument("triangle " + std::to_string(triangle) + " has label " + std::to_string(label) +
+                                ", which the image has not; the label of its exterior is " +
+                                std::to_string(cells[ExteriorVertex].label));
+  }
+  return ExteriorVertex;
+}
 } // namespace
+
+LabelledTriangles
+FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctions)
+{
+  LabelledTriangles result;
+  result.points = mesh.points;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    const Point & point = mesh.points[p];
+    if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }))
+    {
+      throw std::invalid_argument("point " + std::to_string(p) + " is not finite");
+    }
+  }
+  const std::vector<PointId> first = FindFirstAtPlace(mesh.points);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto & [points, labels] = mesh.triangles[t];
+    RequirePoints(points, t, mesh.points.size());
+    if (labels[0] == labels[1])
+    {
+      throw std::invalid_argument("triangle " + std::to_string(t) + " has label " + std::to_string(labels[0]) +
+                                  " on both sides");
+    }
+    result.triangles.push_back(
+      { { { first[points[0]], first[points[1]], first[points[2]] } },
+        { { VertexOfLabel(labels[0], t, junctions.cells), VertexOfLabel(labels[1], t, junctions.cells) } } });
+  }
+  return result;
+}
 
 WallMesh
 MakeWallMesh(const LabelledTriangles & mesh)

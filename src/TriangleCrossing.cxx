@@ -42,103 +42,125 @@ FilteredOrientation(const Point & a, const Point & b, const Point & c, const Poi
   return Orientation(a, b, c, d);
 }
 
-bool
-SegmentMeetsTriangle(const Point & p, const Point & q, const Point & a, const Point & b, const Point & c)
+/** The triangle turned so that the point of this position comes first. */
+std::array<Point, 3>
+TurnedTo(const std::vector<Point> & points, const Triangle & t, int position)
 {
-  const int sides[3] = { FilteredOrientation(p, q, a, b),
-                         FilteredOrientation(p, q, b, c),
-                         FilteredOrientation(p, q, c, a) };
-  const auto [least, most] = std::minmax_element(sides, sides + 3);
-  return *least >= 0 || *most <= 0;
+  constexpr int next[3] = { 1, 2, 0 };
+  const int     second = next[position];
+  return { { points[t[position]], points[t[second]], points[t[next[second]]] } };
 }
 
-/** Whether triangles in one plane overlap: no edge of either has the other on its outer side. */
+/** Whether all points of a triangle from the given one on are on one side of the plane of another. */
 bool
-CoplanarTrianglesOverlap(const std::array<Point, 3> & a, const std::array<Point, 3> & b)
+IsBeside(const std::array<Point, 3> & triangle, int from, const std::array<Point, 3> & plane)
 {
-  const Point normal = Normalized(Cross(a[1] - a[0], a[2] - a[0]));
-  const auto  isSeparatedBy = [&normal](const std::array<Point, 3> & s, const std::array<Point, 3> & t) {
-    for (int i = 0; i < 3; ++i)
+  const int side = FilteredOrientation(plane[0], plane[1], plane[2], triangle[from]);
+  for (int i = from + 1; side != 0 && i < 3; ++i)
+  {
+    if (FilteredOrientation(plane[0], plane[1], plane[2], triangle[i]) != side)
     {
-      Point        outward = Normalized(Cross(s[(i + 1) % 3] - s[i], normal));
-      const double inside = Dot(s[(i + 2) % 3] - s[i], outward);
-      outward = inside > 0.0 ? -1.0 * outward : outward;
-      const double tolerance = 1e-9 * Distance(s[i], s[(i + 1) % 3]);
-      if (std::all_of(t.begin(), t.end(), [&](const Point & p) { return Dot(p - s[i], outward) >= -tolerance; }))
-      {
-        return true;
-      }
+      return false;
     }
-    return false;
-  };
-  return !isSeparatedBy(a, b) && !isSeparatedBy(b, a);
+  }
+  return side != 0;
 }
 
-/** The triangle turned so that the point comes first. */
-Triangle
-TurnedTo(const Triangle & t, PointId first)
+/** Whether the line through the i-th edge of a triangle passes the other; if not, the edges may meet it or not. */
+bool
+EdgePasses(const std::array<Point, 3> & edges, int i, const std::array<Point, 3> & other)
 {
-  const auto i = std::find(t.begin(), t.end(), first) - t.begin();
-  return { { t[i], t[(i + 1) % 3], t[(i + 2) % 3] } };
+  const Point & p = edges[i];
+  const Point & q = edges[i < 2 ? i + 1 : 0];
+  const int     first = FilteredOrientation(p, q, other[0], other[1]);
+  const int     second = FilteredOrientation(p, q, other[1], other[2]);
+  return first * second < 0 ||
+         (first + second != 0 && (first + second > 0 ? 1 : -1) == -FilteredOrientation(p, q, other[2], other[0]));
+}
+
+/** Whether the edge opposite to a triangle's first point, which both share, meets the other triangle. */
+bool
+OppositeEdgeMeets(const std::array<Point, 3> & t, const std::array<Point, 3> & other)
+{
+  const std::array<Point, 3> edge{ { t[1], t[2], t[2] } };
+  if (EdgePasses(t, 1, other) || !TrianglesMeet(edge, other))
+  {
+    return false;
+  }
+  // Where all is on one line the shared point can be on that edge.
+  const auto isCommon = [&](const Point & p) { return p != t[0] && TrianglesMeet({ { p, p, p } }, other); };
+  return !TrianglesMeet(edge, { { t[0], t[0], t[0] } }) || isCommon(t[1]) || isCommon(t[2]);
+}
+
+/** Whether triangles without a shared point meet. */
+bool
+SeparateTrianglesMeet(const std::array<Point, 3> & s, const std::array<Point, 3> & t)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!EdgePasses(s, i, t) || !EdgePasses(t, i, s))
+    {
+      return TrianglesMeet(s, t);
+    }
+  }
+  return false;
+}
+
+/** Whether triangles that share the edge (a, b) lie on each other, with c and d opposite to it. */
+bool
+AreFolded(const Point & a, const Point & b, const Point & c, const Point & d)
+{
+  // Most are far from it: the product of their normals, with more than its rounding, is negative.
+  constexpr double bound = 1e-14;
+  const Point      edge = b - a;
+  const Point      u = c - a;
+  const Point      v = d - a;
+  const double     product = Dot(Cross(edge, u), Cross(edge, v));
+  if (product < -bound * Dot(edge, edge) * Norm(u) * Norm(v))
+  {
+    return false;
+  }
+  return FilteredOrientation(a, b, c, d) == 0 && AreOnOneSide(a, b, c, d);
 }
 } // namespace
 
 bool
 TrianglesCross(const std::vector<Point> & points, const Triangle & first, const Triangle & second)
 {
-  PointId shared = -1;
+  PointId shared[3] = { -1, -1, -1 };
   int     numberShared = 0;
-  for (const PointId p : first)
+  int     inFirst = 0;
+  int     inSecond = 0;
+  for (int i = 0; i < 3; ++i)
   {
-    if (std::find(second.begin(), second.end(), p) != second.end())
+    for (int j = 0; j < 3; ++j)
     {
-      shared = p;
-      ++numberShared;
+      if (first[i] == second[j] && first[i] != shared[0] && first[i] != shared[1])
+      {
+        shared[numberShared++] = first[i];
+        inFirst = i;
+        inSecond = j;
+      }
     }
   }
-  if (numberShared > 1)
+  if (numberShared == 3)
+  {
+    return true;
+  }
+  if (numberShared == 2)
+  {
+    const auto apex = [&](const Triangle & t) {
+      const auto at = std::find_if(t.begin(), t.end(), [&](PointId p) { return p != shared[0] && p != shared[1]; });
+      return points[at != t.end() ? *at : shared[0]]; // a point may be there twice
+    };
+    return AreFolded(points[shared[0]], points[shared[1]], apex(first), apex(second));
+  }
+  const auto s = TurnedTo(points, first, inFirst);
+  const auto t = TurnedTo(points, second, inSecond);
+  if (IsBeside(t, numberShared, s) || IsBeside(s, numberShared, t))
   {
     return false;
   }
-  const Triangle s = numberShared == 1 ? TurnedTo(first, shared) : first;
-  const Triangle t = numberShared == 1 ? TurnedTo(second, shared) : second;
-
-  const std::array<Point, 3> a{ { points[s[0]], points[s[1]], points[s[2]] } };
-  const std::array<Point, 3> b{ { points[t[0]], points[t[1]], points[t[2]] } };
-  int                        sideOfA[3];
-  int                        sideOfB[3];
-  const auto                 misses =
-    [numberShared](const std::array<Point, 3> & plane, const std::array<Point, 3> & other, int * side) {
-      for (int i = 0; i < 3; ++i)
-      {
-        side[i] = i == 0 && numberShared == 1 ? 0 : FilteredOrientation(plane[0], plane[1], plane[2], other[i]);
-      }
-      const int begin = numberShared;
-      return (*std::min_element(side + begin, side + 3) > 0) || (*std::max_element(side + begin, side + 3) < 0);
-    };
-  if (misses(a, b, sideOfB) || misses(b, a, sideOfA))
-  {
-    return false;
-  }
-  if (std::all_of(sideOfB, sideOfB + 3, [](int side) { return side == 0; }))
-  {
-    return CoplanarTrianglesOverlap(a, b);
-  }
-  const auto edgeMeets =
-    [numberShared](const std::array<Point, 3> & edges, const int * side, const std::array<Point, 3> & other) {
-      for (int i = 0; i < 3; ++i)
-      {
-        const int j = (i + 1) % 3;
-        // Edges at a shared point meet the other triangle there, and elsewhere only where the opposite edge does.
-        const bool isAtShared = numberShared == 1 && i != 1;
-        if (!isAtShared && side[i] * side[j] <= 0 && (side[i] != 0 || side[j] != 0) &&
-            SegmentMeetsTriangle(edges[i], edges[j], other[0], other[1], other[2]))
-        {
-          return true;
-        }
-      }
-      return false;
-    };
-  return edgeMeets(a, sideOfA, b) || edgeMeets(b, sideOfB, a);
+  return numberShared == 1 ? OppositeEdgeMeets(s, t) || OppositeEdgeMeets(t, s) : SeparateTrianglesMeet(s, t);
 }
 } // namespace tissue

@@ -128,7 +128,7 @@ CountCrossings(const WallMesh & mesh, const LoosePoint & entry)
       Box          otherBox{ mesh.points[o[0]], mesh.points[o[0]] };
       Extend(otherBox, mesh.points[o[1]]);
       Extend(otherBox, mesh.points[o[2]]);
-      count += Overlap(box, otherBox) && TrianglesCross(mesh.points, triangle, o) ? 1 : 0;
+      count += other != t && Overlap(box, otherBox) && TrianglesCross(mesh.points, triangle, o) ? 1 : 0;
     }
   }
   return count;

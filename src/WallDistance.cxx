@@ -9,25 +9,42 @@
 #include "TissueTessellationCore/ImageFaces.h"
 #include "TissueTessellationCore/Vector.h"
 
-#include <algorithm>
+#include <boost/geometry/geometries/adapted/std_array.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
 #include <cmath>
-#include <limits>
+
+BOOST_GEOMETRY_REGISTER_STD_ARRAY_CS(boost::geometry::cs::cartesian)
 
 namespace tissue
 {
 namespace
 {
-double
-DistanceToNearest(const Point & point, const ImagePlaces::Place * begin, const ImagePlaces::Place * end)
+/** The places of one wall in the image, for the nearest of them. */
+class PlacesOfWall
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const ImagePlaces::Place * place = begin; place != end; ++place)
+public:
+  PlacesOfWall(const ImagePlaces::Place * begin, const ImagePlaces::Place * end)
+    : m_Tree(begin, end)
+  {}
+
+  bool
+  IsEmpty() const
   {
-    const Point offset = Point{ { (*place)[0], (*place)[1], (*place)[2] } } - point;
-    least = std::min(least, Dot(offset, offset));
+    return m_Tree.empty();
   }
-  return std::sqrt(least);
-}
+
+  double
+  DistanceToNearest(const Point & point) const
+  {
+    const ImagePlaces::Place & place = *m_Tree.qbegin(boost::geometry::index::nearest(point, 1));
+    return Distance(point, { { place[0], place[1], place[2] } });
+  }
+
+private:
+  boost::geometry::index::rtree<ImagePlaces::Place, boost::geometry::index::linear<16>> m_Tree;
+};
 } // namespace
 
 WallDistance
@@ -52,6 +69,7 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
   }
   std::vector<Sums> sumsOfWall(walls.walls.size());
   RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
+    const PlacesOfWall places(faces.Begin(w), faces.End(w));
     for (std::size_t t = first[w]; t < first[w + 1]; ++t)
     {
       const auto &  triangle = walls.triangles[t];
@@ -60,13 +78,13 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
       const Point & c = walls.points[triangle[2]];
       const Point   normal = Cross(b - a, c - a);
       const double  area = 0.5 * std::sqrt(Dot(normal, normal));
-      if (faces.Begin(w) == faces.End(w))
+      if (places.IsEmpty())
       {
         sumsOfWall[w].falseArea += area;
         continue;
       }
       sumsOfWall[w].area += area;
-      sumsOfWall[w].distance += area * DistanceToNearest((1.0 / 3.0) * (a + b + c), faces.Begin(w), faces.End(w));
+      sumsOfWall[w].distance += area * places.DistanceToNearest((1.0 / 3.0) * (a + b + c));
     }
   });
 
@@ -90,11 +108,11 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
   }
   for (std::size_t v = 0; v < areaOfVertex.size(); ++v)
   {
-    result.ofVertex[v] = areaOfVertex[v] > 0.0 ? result.ofVertex[v] / areaOfVertex[v] : 0.0;
+    result.ofVertex[v] = areaOfVertex[v] > 0.0 ? result.ofVertex[v] / areaOfVertex[v] : -1.0;
   }
   const double whole = total.area + total.falseArea;
-  result.mean = total.area > 0.0 ? total.distance / total.area : 0.0;
-  result.meanInVoxels = result.mean / labels.VoxelLength();
+  result.mean = total.area > 0.0 ? total.distance / total.area : -1.0;
+  result.voxelLength = labels.VoxelLength();
   result.shareOfFalseWalls = whole > 0.0 ? total.falseArea / whole : 0.0;
   return result;
 }

@@ -179,6 +179,7 @@ void
 SumUpCells(WallMeshEvaluation & evaluation)
 {
   std::vector<double> errors;
+  double              convexity = 0.0;
   std::size_t         withinOnePercent = 0;
   for (const WallMeshEvaluation::Cell & cell : evaluation.cells)
   {
@@ -187,7 +188,7 @@ SumUpCells(WallMeshEvaluation & evaluation)
     {
       errors.push_back(cell.volumeError);
       withinOnePercent += cell.volumeError <= 0.01 ? 1 : 0;
-      evaluation.meanConvexity += cell.convexity;
+      convexity += cell.convexity;
     }
   }
   evaluation.numberOfClosedCells = errors.size();
@@ -199,7 +200,7 @@ SumUpCells(WallMeshEvaluation & evaluation)
     evaluation.volumeErrorPercentile95 = errors[static_cast<std::size_t>(0.95 * (n - 1.0))];
     evaluation.shareWithinOnePercent =
       static_cast<double>(withinOnePercent) / static_cast<double>(evaluation.numberOfCells);
-    evaluation.meanConvexity /= n;
+    evaluation.meanConvexity = convexity / n;
   }
 }
 } // namespace

@@ -152,6 +152,10 @@ TEST(WallMeshEvaluation, TurnedTriangleOpensItsCells)
   const auto evaluation = tissue::EvaluateWallMesh(mesh, MakeJunctions(3, 1.0, pairsOfTwoCubes, {}));
   EXPECT_EQ(evaluation.numberOfClosedCells, 0u);
   EXPECT_EQ(evaluation.cells[1].volumeError, -1.0);
+  EXPECT_EQ(evaluation.meanVolumeError, -1.0);
+  EXPECT_EQ(evaluation.volumeErrorPercentile95, -1.0);
+  EXPECT_EQ(evaluation.meanConvexity, -1.0);
+  EXPECT_EQ(evaluation.shareWithinOnePercent, 0.0);
 }
 
 TEST(WallMeshEvaluation, CrossingAndDegenerateTrianglesAreCounted)
@@ -214,4 +218,40 @@ TEST(LabelledTriangles, RefusesATriangleWithinACellAndAPointOutOfRange)
   EXPECT_THROW(tissue::MakeWallMesh(triangles), std::invalid_argument);
   triangles.triangles = { { { { 0, 1, 3 } }, { { 1, 0 } } } };
   EXPECT_THROW(tissue::MakeWallMesh(triangles), std::invalid_argument);
+}
+
+TEST(LabelledTriangles, OfLabelsAreJoinedWhereTheirPointsAre)
+{
+  // Each triangle with points of its own.
+  const auto          cubes = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
+  tissue::JunctionSet junctions = MakeJunctions(3, 1.0, pairsOfTwoCubes, {});
+  junctions.cells[0].label = 5;
+  junctions.cells[1].label = -4;
+  junctions.cells[2].label = 7;
+  tissue::TrianglesOfLabels soup;
+  for (std::size_t t = 0; t < cubes.triangles.size(); ++t)
+  {
+    const auto   n = static_cast<tissue::PointId>(soup.points.size());
+    const auto & cells = cubes.walls[cubes.wallOfTriangle[t]].cells;
+    for (const tissue::PointId p : cubes.triangles[t])
+    {
+      soup.points.push_back(cubes.points[p]);
+    }
+    soup.triangles.push_back(
+      { { { n, n + 1, n + 2 } }, { { junctions.cells[cells[0]].label, junctions.cells[cells[1]].label } } });
+  }
+  const auto mesh = tissue::MakeWallMesh(tissue::FindCellsOfTriangles(soup, junctions));
+  EXPECT_EQ(mesh.points.size(), 12u);
+  const auto evaluation = tissue::EvaluateWallMesh(mesh, junctions);
+  EXPECT_EQ(evaluation.numberOfSpheres, 2u);
+  EXPECT_EQ(evaluation.numberOfCrossings, 0u);
+
+  soup.triangles[3].labels[0] = 6;
+  EXPECT_THROW(tissue::FindCellsOfTriangles(soup, junctions), std::invalid_argument);
+  soup.triangles[3].labels[0] = 7;
+  soup.triangles[3].points[2] = 1000;
+  EXPECT_THROW(tissue::FindCellsOfTriangles(soup, junctions), std::invalid_argument);
+  soup.triangles[3].points[2] = 2;
+  soup.points[2][0] = std::nan("");
+  EXPECT_THROW(tissue::FindCellsOfTriangles(soup, junctions), std::invalid_argument);
 }

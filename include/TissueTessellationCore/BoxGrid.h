@@ -10,7 +10,6 @@
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace tissue
@@ -40,37 +39,12 @@ Extend(Box & box, const Point & p)
 }
 
 /** \brief Finds the pairs of boxes that overlap, by a flat grid of about as many cells as boxes. At least one box; the
- * boxes must outlive the grid. */
+ * boxes must outlive the grid. The few that are far longer than the mean are compared with all, beside the grid: they
+ * would make its cells too large for the others. */
 class BoxGrid
 {
 public:
-  explicit BoxGrid(const std::vector<Box> & boxes)
-    : m_Boxes(boxes)
-  {
-    Box   all = boxes.front();
-    Point mean{ { 0.0, 0.0, 0.0 } };
-    for (const Box & box : boxes)
-    {
-      Extend(all, box.lower);
-      Extend(all, box.upper);
-      mean = mean + (box.upper - box.lower);
-    }
-    const double extent = (mean[0] + mean[1] + mean[2]) / (3.0 * static_cast<double>(boxes.size()));
-    double       cells = 1.0;
-    m_Lower = all.lower;
-    m_CellSize = std::max(1.5 * extent, std::numeric_limits<double>::min());
-    for (int i = 0; i < 3; ++i)
-    {
-      cells *= (all.upper[i] - all.lower[i]) / m_CellSize + 1.0;
-    }
-    // No more cells than boxes have use for, however the tissue is spread.
-    m_CellSize *= std::max(1.0, std::cbrt(cells / (8.0 * static_cast<double>(boxes.size()) + 1000.0)));
-    for (int i = 0; i < 3; ++i)
-    {
-      m_Size[i] = static_cast<std::int64_t>((all.upper[i] - all.lower[i]) / m_CellSize) + 1;
-    }
-    this->Fill();
-  }
+  explicit BoxGrid(const std::vector<Box> & boxes);
 
   std::int64_t
   NumberOfLayers() const
@@ -78,7 +52,8 @@ public:
     return m_Size[2];
   }
 
-  /** Calls visit(a, b), a < b, for each pair of overlapping boxes whose first common cell is in the layer. */
+  /** Calls visit(a, b), a < b, for each pair of overlapping boxes whose first common cell is in the layer; the pairs of
+   * long boxes are spread over the layers. */
   template <typename TVisitor>
   void
   VisitPairs(std::int64_t layer, const TVisitor & visit) const
@@ -101,9 +76,35 @@ public:
         }
       }
     }
+    for (auto i = static_cast<std::size_t>(layer); i < m_Long.size(); i += static_cast<std::size_t>(m_Size[2]))
+    {
+      this->VisitPairsOfLongBox(i, visit);
+    }
   }
 
 private:
+  /** Parts the boxes in m_InGrid, never empty, and m_Long, both ascending. */
+  void
+  FindLongBoxes();
+
+  void
+  Fill();
+
+  template <typename TVisitor>
+  void
+  VisitPairsOfLongBox(std::size_t position, const TVisitor & visit) const
+  {
+    const std::int32_t a = m_Long[position];
+    const auto         visitWith = [&](std::int32_t b) {
+      if (Overlap(m_Boxes[a], m_Boxes[b]))
+      {
+        visit(std::min(a, b), std::max(a, b));
+      }
+    };
+    std::for_each(m_InGrid.begin(), m_InGrid.end(), visitWith);
+    std::for_each(m_Long.begin() + static_cast<std::ptrdiff_t>(position) + 1, m_Long.end(), visitWith);
+  }
+
   std::array<std::int64_t, 3>
   Coordinates(const Point & p) const
   {
@@ -140,32 +141,14 @@ private:
     }
   }
 
-  void
-  Fill()
-  {
-    m_First.assign(m_Size[0] * m_Size[1] * m_Size[2] + 2, 0);
-    for (const Box & box : m_Boxes)
-    {
-      this->VisitCells(box, [this](std::int64_t cell) { ++m_First[cell + 2]; });
-    }
-    for (std::size_t i = 1; i < m_First.size(); ++i)
-    {
-      m_First[i] += m_First[i - 1];
-    }
-    m_Members.resize(m_First.back());
-    for (std::size_t i = 0; i < m_Boxes.size(); ++i)
-    {
-      this->VisitCells(m_Boxes[i],
-                       [this, i](std::int64_t cell) { m_Members[m_First[cell + 1]++] = static_cast<std::int32_t>(i); });
-    }
-  }
-
   const std::vector<Box> &    m_Boxes;
   Point                       m_Lower{};
   double                      m_CellSize = 1.0;
   std::array<std::int64_t, 3> m_Size{};
   std::vector<std::int64_t>   m_First;
   std::vector<std::int32_t>   m_Members;
+  std::vector<std::int32_t>   m_InGrid;
+  std::vector<std::int32_t>   m_Long;
 };
 } // namespace tissue
 

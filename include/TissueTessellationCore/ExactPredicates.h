@@ -18,6 +18,16 @@ namespace tissue
 int
 Orientation(const Point & a, const Point & b, const Point & c, const Point & d);
 
+/** Whether two triangles, their edges and corners counted, have a point in common. Points of a triangle may be equal or
+ * on one line: it is the segment or the point that it covers. Exact (CGAL's predicates). */
+bool
+TrianglesMeet(const std::array<Point, 3> & s, const std::array<Point, 3> & t);
+
+/** Whether c and d are on the same side of the line through a and b, all four coplanar; false where one of them is on
+ * the line. Exact. */
+bool
+AreOnOneSide(const Point & a, const Point & b, const Point & c, const Point & d);
+
 /** Whether a plane holds all points; true for fewer than four. Exact. */
 bool
 AreCoplanar(const std::vector<Point> & points);

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_LabelledTriangles_h
 #define TissueTessellationCore_LabelledTriangles_h
 
+#include "TissueTessellationCore/JunctionSet.h"
 #include "TissueTessellationCore/WallMesh.h"
 
 #include <vector>
@@ -26,6 +27,27 @@ struct LabelledTriangles
   std::vector<Point>    points;
   std::vector<Triangle> triangles;
 };
+
+/** \brief Likewise, each triangle with the labels of an image on its two sides, as files have it. */
+struct TrianglesOfLabels
+{
+  struct Triangle
+  {
+    std::array<PointId, 3> points = { { 0, 0, 0 } };
+    /** The normal, by the right-hand rule, points from the first to the second. */
+    std::array<Label, 2> labels = { { 0, 0 } };
+  };
+
+  std::vector<Point>    points;
+  std::vector<Triangle> triangles;
+};
+
+/** The triangles with the cells in place of their labels. Points at the very same place become one, the first of them:
+ * triangles of most programs are neighbours by their places alone.
+ * \throws std::invalid_argument where a label is neither a cell's nor the exterior's, or on both sides of a triangle,
+ * or a point is out of range or not finite. */
+LabelledTriangles
+FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctions);
 
 /** \brief The same triangles, grouped by the pair of cells they separate and turned as WallMesh promises.
  *

@@ -22,14 +22,21 @@ namespace tissue
  * distance of a third of a voxel or so. Walls that the image has not are left out, and counted by their area. */
 struct WallDistance
 {
-  /** Mean over all walls, in physical units. */
-  double mean = 0.0;
-  /** In edges of the cube of a voxel's volume. */
-  double meanInVoxels = 0.0;
+  /** Mean over all walls, in physical units; -1 where the image has none of them. */
+  double mean = -1.0;
   /** Share of the area that is in walls which the image has not. */
   double shareOfFalseWalls = 0.0;
-  /** Mean over the walls of each vertex, in physical units; 0 where it has none. */
+  /** Mean over the walls of each vertex, likewise. */
   std::vector<double> ofVertex;
+  /** Edge of the cube of a voxel's volume. */
+  double voxelLength = 1.0;
+
+  /** A distance in voxels; -1 stays. */
+  double
+  InVoxels(double distance) const
+  {
+    return distance < 0.0 ? -1.0 : distance / voxelLength;
+  }
 };
 
 /** `walls` has vertices below `numberOfVertices`, as `labels` has; larger ones are no cell's. */

@@ -29,14 +29,14 @@ struct WallMeshEvaluation
   std::size_t numberOfCorners = 0;
   /** Corners where more than four meet. */
   std::size_t numberOfCrowdedCorners = 0;
-  /** Mean of |V - V_image| / V_image over the closed cells, in 0 .. 1 as a rule. */
-  double meanVolumeError = 0.0;
-  /** A twentieth of the closed cells have a larger one. */
-  double volumeErrorPercentile95 = 0.0;
+  /** Mean of |V - V_image| / V_image over the closed cells, in 0 .. 1 as a rule; -1 where no cell is closed. */
+  double meanVolumeError = -1.0;
+  /** A twentieth of the closed cells have a larger one; -1 likewise. */
+  double volumeErrorPercentile95 = -1.0;
   /** Share of all cells that are closed and within one percent of their volume in the image. */
   double shareWithinOnePercent = 0.0;
-  /** Mean over the closed cells of the volume over that of the convex hull, in 0 .. 1. */
-  double meanConvexity = 0.0;
+  /** Mean over the closed cells of the volume over that of the convex hull, in 0 .. 1; -1 likewise. */
+  double meanConvexity = -1.0;
   /** Pairs of cells with a triangle between them, and quadruples of cells around a point, against those of the image.
    * A point where more than four cells meet stands for each four of them, as a block of voxels of the image does. */
   AdjacencyOverlap overlap;

@@ -1,0 +1,21 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef BlobPicture_h
+#define BlobPicture_h
+
+#include "PointOutput.h"
+#include "ScalarImageInput.h"
+
+namespace tissue
+{
+/** Writes a PNG of the image's brightest voxels along its last axis, beside those along its second, with a circle of
+ * its `radius` around each point. Needs no display. \throws itk::ExceptionObject where it cannot be written. */
+void
+WriteBlobPicture(const ScalarImage * image, const PointTable & blobs, const std::string & path);
+} // namespace tissue
+
+#endif

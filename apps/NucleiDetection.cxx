@@ -1,0 +1,179 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+// Finds nuclei in an image of their stain: NucleiDetection [options] image points.csv
+
+#include "BlobPicture.h"
+#include "OutputFiles.h"
+#include "PointOutput.h"
+#include "ProgressBar.h"
+#include "RunProgram.h"
+#include "ScalarImageInput.h"
+#include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
+
+#include <CLI/CLI.hpp>
+#include <itkMultiThreaderBase.h>
+
+#include <array>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace
+{
+using namespace tissue;
+
+struct Options
+{
+  std::string                          image;
+  std::string                          points;
+  std::string                          picture;
+  double                               minimumScale = 0.0;
+  double                               maximumScale = 0.0;
+  unsigned int                         stepsPerOctave = 4;
+  double                               threshold = 0.0;
+  double                               relativeThreshold = 0.0;
+  double                               maximumOverlap = 0.5;
+  double                               maximumHessianRatio = 10.0;
+  double                               borderMargin = 0.0;
+  bool                                 isDark = false;
+  std::optional<std::array<double, 3>> spacing;
+  std::uint32_t                        threads = 0;
+  bool                                 isQuiet = false;
+};
+
+void
+AddOptions(CLI::App & app, Options & options)
+{
+  const auto positive = CLI::Range(0.0, std::numeric_limits<double>::max());
+  app.option_defaults()->always_capture_default();
+  app.add_option("image", options.image, "3-D image of one component, of any type that ITK reads")->required();
+  app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
+  app.add_option(
+    "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles");
+  app
+    .add_option("--minimumScale",
+                options.minimumScale,
+                "Standard deviation of the smallest nuclei, in the image's units: their radius over 1.73")
+    ->required()
+    ->check(positive);
+  app.add_option("--maximumScale", options.maximumScale, "Standard deviation of the largest nuclei")
+    ->required()
+    ->check(positive);
+  app.add_option("--stepsPerOctave", options.stepsPerOctave, "Scales for each doubling")->check(CLI::Range(1, 64));
+  app.add_option("--threshold", options.threshold, "Least response, in the image's units; 0: see the next")
+    ->check(positive);
+  app
+    .add_option("--relativeThreshold",
+                options.relativeThreshold,
+                "Least response relative to the greatest; 0: found from all responses")
+    ->check(CLI::Range(0.0, 0.999));
+  app
+    .add_option("--maximumOverlap",
+                options.maximumOverlap,
+                "Greatest share of the smaller of two nuclei that they have in common")
+    ->check(CLI::Range(0.0, 1.0));
+  app
+    .add_option("--maximumHessianRatio",
+                options.maximumHessianRatio,
+                "Greatest elongation, as the ratio of the Hessian's eigenvalues; 0: any")
+    ->check(positive);
+  app
+    .add_option(
+      "--borderMargin", options.borderMargin, "Leave out nuclei nearer to the border of the image, in its units")
+    ->check(positive);
+  app.add_flag("--dark", options.isDark, "Nuclei are darker than what is around them");
+  app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(CLI::Range(1e-9, 1e9));
+  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
+  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
+}
+
+void
+Run(const Options & options)
+{
+  const std::string format = RequirePointFormat(options.points);
+  OutputFiles::RequireWritable(options.points);
+  if (!options.picture.empty())
+  {
+    OutputFiles::RequireWritable(options.picture);
+  }
+  ProgressBar progress(options.isQuiet);
+  progress.Begin("Reading");
+  const auto image = ReadScalarImage(options.image, options.spacing);
+  const auto detection = itk::DifferenceOfGaussiansBlobDetectionFilter<ScalarImage>::New();
+  detection->SetInput(image);
+  detection->SetMinimumScale(options.minimumScale);
+  detection->SetMaximumScale(options.maximumScale);
+  detection->SetStepsPerOctave(options.stepsPerOctave);
+  detection->SetThreshold(options.threshold);
+  detection->SetRelativeThreshold(options.relativeThreshold);
+  detection->SetMaximumOverlap(options.maximumOverlap);
+  detection->SetMaximumHessianRatio(options.maximumHessianRatio);
+  detection->SetBorderMargin(options.borderMargin);
+  detection->SetDarkBlobs(options.isDark);
+  progress.Begin("Detecting");
+  progress.Observe(detection);
+  detection->Update();
+
+  const auto * const blobs = detection->GetOutput();
+  PointTable         table;
+  table.columns = { { "label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
+  for (itk::SizeValueType i = 0; i < blobs->GetNumberOfPoints(); ++i)
+  {
+    const auto point = blobs->GetPoint(i);
+    const auto data = blobs->GetPointData()->GetElement(i);
+    table.points.push_back({ { point[0], point[1], point[2] } });
+    const double values[] = { static_cast<double>(i + 1), data[0], BlobRadius(data[0]), data[1] };
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+    {
+      table.columns[c].second.push_back(values[c]);
+    }
+  }
+  progress.Begin("Writing");
+  OutputFiles files;
+  files.Add(options.points, [&](const std::string & path) { WritePoints(table, path, format); });
+  if (!options.picture.empty())
+  {
+    files.Add(options.picture, [&](const std::string & path) { WriteBlobPicture(image, table, path); });
+  }
+  files.Commit();
+  progress.End();
+  if (!options.isQuiet)
+  {
+    std::cout << options.points << ": " << table.points.size() << " nuclei, responses of "
+              << detection->GetUsedThreshold() << " and more\n";
+    if (table.points.empty())
+    {
+      std::cerr << "NucleiDetection: warning: no nuclei of these scales\n";
+    }
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  Options  options;
+  CLI::App app("Finds nuclei, or other blobs, in a 3-D image, by the maxima of its scale space.");
+  AddOptions(app, options);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  return RunProgram("NucleiDetection", [&options] {
+    if (options.threads > 0)
+    {
+      itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
+      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
+    }
+    Run(options);
+  });
+}

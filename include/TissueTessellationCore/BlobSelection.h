@@ -1,0 +1,44 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_BlobSelection_h
+#define TissueTessellationCore_BlobSelection_h
+
+#include "TissueTessellationCore/Types.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** A maximum of the scale space of an image. */
+struct Blob
+{
+  Point position;
+  /** Standard deviation of the Gaussian that fits best, in the units of the position. A ball answers at its radius over
+   * the square root of 3. */
+  double scale;
+  /** The normalized difference of Gaussians; positive. */
+  double response;
+};
+
+/** The radius of the ball that answers at a scale. */
+double
+BlobRadius(double scale);
+
+/** \brief The response that parts blobs from noise, from the responses of all maxima, most of which may be noise.
+ *
+ * Otsu's threshold (N. Otsu 1979, doi:10.1109/TSMC.1979.4310076) of the responses' logarithms, of those above a
+ * hundredth of the greatest: the two kinds differ by a factor, whatever the units of the image. 0 for less than two. */
+double
+ChooseBlobThreshold(std::vector<double> responses);
+
+/** \brief Of every two blobs whose balls have more than `maximumOverlap`, 0 .. 1, of the smaller one's volume in
+ * common, drops the one with the weaker response; the others come by falling response, equal ones by position. */
+std::vector<Blob>
+RemoveOverlappingBlobs(std::vector<Blob> blobs, double maximumOverlap);
+} // namespace tissue
+
+#endif

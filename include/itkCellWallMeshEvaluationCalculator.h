@@ -1,0 +1,130 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkCellWallMeshEvaluationCalculator_h
+#define itkCellWallMeshEvaluationCalculator_h
+
+#include "itkCellWallMesh.h"
+#include "itkMultiThreaderBase.h"
+#include "itkTissueJunctions.h"
+#include "TissueTessellationCore/LabelledTriangles.h"
+#include "TissueTessellationCore/TissueMeshEvaluation.h"
+
+#include <memory>
+
+namespace itk
+{
+/** \class CellWallMeshEvaluationCalculator
+ * \brief Judges a mesh of cell walls, of any origin, by the label image that it is of.
+ *
+ * Inputs: the mesh, one of this module (SetMesh) or triangles with the labels on their two sides (SetTriangles), in the
+ * physical space of the image; and the label image, of any integer type, whose buffer must hold the largest possible
+ * region. Points of the mesh at the very same place are taken for one. Voids that the tissue encloses are the
+ * exterior's, as a mesh of any origin knows one exterior.
+ *
+ * Compute() finds all of tissue::TissueMeshEvaluation, whose comments say what each figure is: adjacency2 and 4,
+ * corners of more than four cells, closed cells and their Euler characteristic, volume errors, the walls' distance to
+ * those of the image, quality and crossings of the triangles, Dice of the voxels, convexity. The result does not depend
+ * on the number of work units.
+ *
+ * \sa LabelImageToCellWallMeshFilter
+ * \ingroup TissueTessellation
+ */
+template <typename TLabelImage>
+class ITK_TEMPLATE_EXPORT CellWallMeshEvaluationCalculator : public Object
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(CellWallMeshEvaluationCalculator);
+
+  using Self = CellWallMeshEvaluationCalculator;
+  using Superclass = Object;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using LabelImageType = TLabelImage;
+  using TrianglesType = std::shared_ptr<const tissue::TrianglesOfLabels>;
+
+  itkNewMacro(Self);
+  itkTypeMacro(CellWallMeshEvaluationCalculator, Object);
+
+  itkSetConstObjectMacro(Image, LabelImageType);
+
+  /** In place of SetTriangles(). \throws ExceptionObject where the mesh is empty. */
+  void
+  SetMesh(const CellWallMesh * mesh);
+
+  /** In place of SetMesh(). */
+  void
+  SetTriangles(TrianglesType triangles);
+
+  /** The junctions of the image, of who has them already. Default: none, which extracts them. */
+  itkSetConstObjectMacro(Junctions, TissueJunctions);
+
+  /** The exterior's label, where junctions are to be extracted; to set it turns AutomaticExteriorLabel off. */
+  void
+  SetExteriorLabel(tissue::Label label);
+  itkGetConstMacro(ExteriorLabel, tissue::Label);
+
+  /** As of LabelJunctionExtractionFilter. Default: on. */
+  itkSetMacro(AutomaticExteriorLabel, bool);
+  itkGetConstMacro(AutomaticExteriorLabel, bool);
+  itkBooleanMacro(AutomaticExteriorLabel);
+
+  /** As of LabelJunctionExtractionFilter. Default: off. */
+  itkSetMacro(ZeroIsCell, bool);
+  itkGetConstMacro(ZeroIsCell, bool);
+  itkBooleanMacro(ZeroIsCell);
+
+  /** Default: that of MultiThreaderBase. */
+  void
+  SetNumberOfWorkUnits(ThreadIdType number);
+  ThreadIdType
+  GetNumberOfWorkUnits() const;
+
+  /** \throws ExceptionObject: no image or mesh; no junctions in the image; a label that the image has not, or on both
+   * sides of a triangle; a point that is not finite; a triangle with a point that is not there. */
+  void
+  Compute();
+
+  /** All that was found. \throws ExceptionObject before Compute(). */
+  const tissue::TissueMeshEvaluation &
+  GetEvaluation() const;
+
+  /** The cells by which the evaluation counts, the exterior first: their labels, and what the image has of them.
+   * \throws ExceptionObject before Compute(). */
+  const std::vector<tissue::Cell> &
+  GetCells() const;
+
+protected:
+  CellWallMeshEvaluationCalculator();
+  ~CellWallMeshEvaluationCalculator() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  /** Those of the image, with one exterior. */
+  tissue::JunctionSet
+  MakeJunctionSet() const;
+
+  typename LabelImageType::ConstPointer m_Image;
+  TrianglesType                         m_Triangles;
+  TissueJunctions::ConstPointer         m_Junctions;
+  MultiThreaderBase::Pointer            m_MultiThreader;
+  tissue::Label                         m_ExteriorLabel = 0;
+  bool                                  m_AutomaticExteriorLabel = true;
+  bool                                  m_ZeroIsCell = false;
+
+  std::vector<tissue::Cell>                           m_Cells;
+  std::unique_ptr<const tissue::TissueMeshEvaluation> m_Evaluation;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkCellWallMeshEvaluationCalculator.hxx"
+#endif
+
+#endif

@@ -1,0 +1,157 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkCellWallMeshEvaluationCalculator_hxx
+#define itkCellWallMeshEvaluationCalculator_hxx
+
+#include "itkCellWallMeshEvaluationCalculator.h"
+
+#include "TissueTessellationCore/Voids.h"
+#include "itkCoreParallelFor.h"
+#include "itkLabelJunctionExtractionFilter.h"
+#include "itkLabelVolume.h"
+
+#include <stdexcept>
+
+namespace itk
+{
+template <typename TLabelImage>
+CellWallMeshEvaluationCalculator<TLabelImage>::CellWallMeshEvaluationCalculator()
+  : m_MultiThreader(MultiThreaderBase::New())
+{}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::SetMesh(const CellWallMesh * mesh)
+{
+  const tissue::WallMesh & walls = mesh->GetWallMesh();
+  const auto &             cells = mesh->GetJunctionSet().cells;
+  const auto               triangles = std::make_shared<tissue::TrianglesOfLabels>();
+  triangles->points = walls.points;
+  for (SizeValueType t = 0; t < walls.triangles.size(); ++t)
+  {
+    const auto & [first, second] = walls.walls[walls.wallOfTriangle[t]].cells;
+    triangles->triangles.push_back({ walls.triangles[t], { { cells[first].label, cells[second].label } } });
+  }
+  this->SetTriangles(triangles);
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::SetTriangles(TrianglesType triangles)
+{
+  m_Triangles = std::move(triangles);
+  this->Modified();
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::SetExteriorLabel(tissue::Label label)
+{
+  if (m_ExteriorLabel != label || m_AutomaticExteriorLabel)
+  {
+    m_ExteriorLabel = label;
+    m_AutomaticExteriorLabel = false;
+    this->Modified();
+  }
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::SetNumberOfWorkUnits(ThreadIdType number)
+{
+  m_MultiThreader->SetNumberOfWorkUnits(number);
+}
+
+template <typename TLabelImage>
+ThreadIdType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfWorkUnits() const
+{
+  return m_MultiThreader->GetNumberOfWorkUnits();
+}
+
+template <typename TLabelImage>
+tissue::JunctionSet
+CellWallMeshEvaluationCalculator<TLabelImage>::MakeJunctionSet() const
+{
+  if (m_Junctions)
+  {
+    const tissue::JunctionSet & junctions = m_Junctions->GetJunctionSet();
+    return junctions.voids.empty() ? junctions : tissue::MergeVoids(junctions);
+  }
+  const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
+  extraction->SetInput(m_Image);
+  if (!m_AutomaticExteriorLabel)
+  {
+    extraction->SetExteriorLabel(m_ExteriorLabel);
+  }
+  extraction->SetZeroIsCell(m_ZeroIsCell);
+  extraction->SeparateVoidsOff();
+  extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  extraction->Update();
+  return extraction->GetOutput()->GetJunctionSet();
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::Compute()
+{
+  m_Evaluation.reset();
+  if (!m_Image || !m_Triangles)
+  {
+    itkExceptionMacro("The " << (m_Image ? "mesh" : "image") << " is not set.");
+  }
+  const tissue::JunctionSet junctions = this->MakeJunctionSet();
+  try
+  {
+    const auto walls = tissue::MakeWallMesh(tissue::FindCellsOfTriangles(*m_Triangles, junctions));
+    const auto labels = MakeLabelVolume(m_Image.GetPointer(), junctions);
+    m_Evaluation = std::make_unique<const tissue::TissueMeshEvaluation>(
+      tissue::EvaluateTissueMesh(walls, junctions, *labels, MakeParallelFor(m_MultiThreader)));
+  }
+  catch (const std::invalid_argument & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+  m_Cells = junctions.cells;
+}
+
+template <typename TLabelImage>
+const tissue::TissueMeshEvaluation &
+CellWallMeshEvaluationCalculator<TLabelImage>::GetEvaluation() const
+{
+  if (!m_Evaluation)
+  {
+    itkExceptionMacro("There is no evaluation before Compute().");
+  }
+  return *m_Evaluation;
+}
+
+template <typename TLabelImage>
+const std::vector<tissue::Cell> &
+CellWallMeshEvaluationCalculator<TLabelImage>::GetCells() const
+{
+  this->GetEvaluation();
+  return m_Cells;
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  itkPrintSelfObjectMacro(Image);
+  os << indent << "Triangles: " << (m_Triangles ? m_Triangles->triangles.size() : 0) << std::endl;
+  itkPrintSelfObjectMacro(Junctions);
+  itkPrintSelfObjectMacro(MultiThreader);
+  os << indent << "ExteriorLabel: " << m_ExteriorLabel << std::endl;
+  os << indent << "AutomaticExteriorLabel: " << (m_AutomaticExteriorLabel ? "On" : "Off") << std::endl;
+  os << indent << "ZeroIsCell: " << (m_ZeroIsCell ? "On" : "Off") << std::endl;
+  os << indent << "Evaluation: " << (m_Evaluation ? "computed" : "none") << std::endl;
+}
+} // namespace itk
+
+#endif

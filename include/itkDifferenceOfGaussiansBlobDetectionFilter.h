@@ -1,0 +1,206 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef itkDifferenceOfGaussiansBlobDetectionFilter_h
+#define itkDifferenceOfGaussiansBlobDetectionFilter_h
+
+#include "TissueTessellationCore/BlobSelection.h"
+#include "itkContinuousIndex.h"
+#include "itkImage.h"
+#include "itkImageToImageFilter.h"
+#include "itkPointSet.h"
+#include "itkProcessObject.h"
+#include "itkVector.h"
+#include "vnl/vnl_matrix_fixed.h"
+
+#include <array>
+#include <vector>
+
+namespace itk
+{
+class DifferenceOfGaussiansNeighborhood;
+
+/** \class DifferenceOfGaussiansBlobDetectionFilter
+ * \brief Finds blobs, such as stained nuclei, as the maxima of an image's scale space.
+ *
+ * Input: a 3-D scalar image. Output: a PointSet of the blobs' positions in physical space, by falling response; the
+ * data of a point are its scale, in physical units, and its response (paper, section 3, after D. Lowe 2004,
+ * doi:10.1023/B:VISI.0000029664.99615.94).
+ *
+ * A level of the scale space is the difference of the image smoothed by Gaussians of two deviations a step apart,
+ * over the step's logarithm: -sigma^2 times the Laplacian at their geometric mean, whose maximum over the scales is a
+ * ball's radius over sqrt(3). Deviations are physical, so that every axis is smoothed by its own number of voxels. A
+ * voxel that exceeds its 80 neighbours in space and scale is a blob, on the border those that it has;
+ * position and scale come from the parabola through them. What is long (tubes, ridges, flat walls) is rejected by the
+ * ratio of the Hessian's eigenvalues. Of two blobs that overlap the weaker is dropped.
+ *
+ * The smoothed image of a level makes that of the next, by ITK's recursive Gaussian filter, by its discrete one where a
+ * deviation is below 0.6 voxels. Once a level is smooth along an axis (two voxels), every other voxel is left out
+ * there, as in Lowe's pyramid. Four smoothed images at most are in memory, beside the one that the smoothing works on.
+ * The result is the same for any number of threads.
+ *
+ * Exceptions: pixels that are not finite, a constant image, a minimum scale below half a voxel (of the finest axis), a
+ * maximum scale below the minimum or above the image's shortest side. An image without blobs gives an empty set.
+ *
+ * \ingroup TissueTessellation
+ */
+template <typename TInputImage>
+class ITK_TEMPLATE_EXPORT DifferenceOfGaussiansBlobDetectionFilter : public ProcessObject
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(DifferenceOfGaussiansBlobDetectionFilter);
+
+  using Self = DifferenceOfGaussiansBlobDetectionFilter;
+  using Superclass = ProcessObject;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using InputImageType = TInputImage;
+  /** Scale and response. */
+  using BlobDataType = Vector<double, 2>;
+  using OutputType = PointSet<BlobDataType, 3, DefaultStaticMeshTraits<BlobDataType, 3, 3, double>>;
+
+  static_assert(TInputImage::ImageDimension == 3, "A tissue has three dimensions.");
+
+  itkNewMacro(Self);
+  itkTypeMacro(DifferenceOfGaussiansBlobDetectionFilter, ProcessObject);
+
+  using Superclass::SetInput;
+  void
+  SetInput(const InputImageType * image);
+  const InputImageType *
+  GetInput() const;
+
+  OutputType *
+  GetOutput();
+  const OutputType *
+  GetOutput() const;
+
+  /** Scales of the smallest and the largest blobs, standard deviations in physical units; required. */
+  itkSetMacro(MinimumScale, double);
+  itkGetConstMacro(MinimumScale, double);
+  itkSetMacro(MaximumScale, double);
+  itkGetConstMacro(MaximumScale, double);
+
+  /** Levels for each doubling of the scale; default 4, at least 1. */
+  itkSetClampMacro(StepsPerOctave, unsigned int, 1, 64);
+  itkGetConstMacro(StepsPerOctave, unsigned int);
+
+  /** Blobs brighter than their surroundings, or darker; default: bright. */
+  itkSetMacro(DarkBlobs, bool);
+  itkGetConstMacro(DarkBlobs, bool);
+  itkBooleanMacro(DarkBlobs);
+
+  /** Least response of a blob, in units of the image; where it is not positive, RelativeThreshold rules. Default 0. */
+  itkSetMacro(Threshold, double);
+  itkGetConstMacro(Threshold, double);
+
+  /** Least response relative to the greatest, below 1; where it is not positive, found from the responses of all maxima
+   * (tissue::ChooseBlobThreshold). Default 0. */
+  itkSetMacro(RelativeThreshold, double);
+  itkGetConstMacro(RelativeThreshold, double);
+
+  /** The greatest share of the smaller of two balls that they may have in common, 0 .. 0.9. Default 0.5. */
+  itkSetClampMacro(MaximumOverlap, double, 0.0, 0.9);
+  itkGetConstMacro(MaximumOverlap, double);
+
+  /** The greatest ratio of two eigenvalues of the Hessian at a blob; 0 keeps all. Default 10. */
+  itkSetMacro(MaximumHessianRatio, double);
+  itkGetConstMacro(MaximumHessianRatio, double);
+
+  /** Blobs nearer than this to the image's border, in physical units, are left out. Default 0. */
+  itkSetMacro(BorderMargin, double);
+  itkGetConstMacro(BorderMargin, double);
+
+  /** The response that was the least; valid after the update. */
+  itkGetConstMacro(UsedThreshold, double);
+
+  using Superclass::MakeOutput;
+  DataObjectPointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  DifferenceOfGaussiansBlobDetectionFilter();
+  ~DifferenceOfGaussiansBlobDetectionFilter() override = default;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  /** A set of points has nothing of the image's. */
+  void
+  GenerateOutputInformation() override
+  {}
+
+  void
+  GenerateData() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  using RealImageType = Image<float, 3>;
+  using RealImagePointer = typename RealImageType::Pointer;
+  /** Smoothed images in a row: three levels of the scale space are their differences. */
+  using Window = std::array<RealImagePointer, 4>;
+  using IndexType = typename RealImageType::IndexType;
+
+  /** A copy, in which blobs are bright. */
+  RealImagePointer
+  ConvertInput() const;
+
+  RealImagePointer
+  Smooth(RealImagePointer image, double deviation);
+
+  RealImagePointer
+  Apply(ImageToImageFilter<RealImageType, RealImageType> * filter, const RealImageType * image) const;
+
+  /** Takes every other voxel of the axes along which images of this deviation are smooth; false where there are none.
+   */
+  bool
+  HalveWhereSmooth(Window & window, double deviation) const;
+  static RealImagePointer
+  Subsample(const RealImageType * image, const std::array<int, 3> & factors);
+
+  void
+  VerifyScales() const;
+
+  /** Appends the maxima of the middle level, in an order that depends on the threads. */
+  void
+  CollectMaxima(const Window & window, double scale, double step, std::vector<tissue::Blob> & blobs);
+
+  /** False for what is no blob. */
+  bool
+  FitBlob(const RealImageType * image, const DifferenceOfGaussiansNeighborhood & difference, const IndexType & index,
+          double scale, double step, tissue::Blob & blob) const;
+  bool
+  IsRound(const vnl_matrix_fixed<double, 4, 4> & hessian, const typename RealImageType::SpacingType & spacing) const;
+  bool
+  IsWithinMargin(const Point<double, 3> & position) const;
+
+  std::vector<tissue::Blob>
+  SelectBlobs(std::vector<tissue::Blob> blobs);
+
+  void
+  SetBlobs(const std::vector<tissue::Blob> & blobs);
+
+  double       m_MinimumScale = 0.0;
+  double       m_MaximumScale = 0.0;
+  unsigned int m_StepsPerOctave = 4;
+  bool         m_DarkBlobs = false;
+  double       m_Threshold = 0.0;
+  double       m_RelativeThreshold = 0.0;
+  double       m_MaximumOverlap = 0.5;
+  double       m_MaximumHessianRatio = 10.0;
+  double       m_BorderMargin = 0.0;
+  double       m_UsedThreshold = 0.0;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkDifferenceOfGaussiansBlobDetectionFilter.hxx"
+#endif
+
+#endif
