@@ -24,9 +24,10 @@ namespace itk
  * exterior; it is for the filters that take segmented images.
  *
  * The tissue is the inside of the points' Delaunay tetrahedralization, cleaned of surface triangles that are too large
- * for the local spacing, and a margin of part of a cell. In it the cells are the anisotropic tessellation that has its
- * cells' centroids on the points: cells are not told by the points alone, but that centres are centroids tells more of
- * their sizes and shapes than the points' Voronoi cells do.
+ * for the local spacing, and a margin. In it the cells are the anisotropic tessellation that has its cells' centroids
+ * on the points: that centres are centroids tells more of the cells' sizes and shapes than the points' Voronoi cells
+ * do. The margin is fitted jointly with the cells. How exact the points are is estimated: of points that can be no
+ * tissue's centroids, the cells are nearly Voronoi cells.
  *
  * The box that the points were seen in is that of the reference image, if there is one: its voxels, whole; then cells
  * at its sides are cut by them. Else it is the points' bounding box, padded. The output fills the box with nearly cubic

@@ -119,7 +119,7 @@ MedianShift(const CentroidFit & fit, const std::vector<Point> & points, const Ti
   {
     const double shift = Distance(fit.GetSeeds()[i].position, points[i]) / surface.Spacing(i);
     all.push_back(shift);
-    if (!surface.IsAtSurface(i))
+    if (surface.IsInner(i))
     {
       inner.push_back(shift);
     }

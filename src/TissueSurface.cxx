@@ -8,6 +8,7 @@
 
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/LocalSpacing.h"
+#include "TissueTessellationCore/MirroredCenters.h"
 #include "TissueTessellationCore/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Vector.h"
 
@@ -23,9 +24,6 @@ constexpr double MaximumEdgeLength = 1.5;
 constexpr double MostOfFirstDepth = 0.6;
 constexpr double LeastDepth = 0.15;
 constexpr double MostDepth = 0.8;
-/** How near a side of the box a cell may be cut. */
-constexpr double SideDistance = 0.9;
-
 constexpr double DepthOfHeight = 0.5;
 /** A neighbour is below where the line to it is so steep, as a cosine. */
 constexpr double SteepestCosine = 0.3;
@@ -34,13 +32,25 @@ constexpr double DepthStep = 0.7;
 constexpr double FirstEvenness = 0.5;
 constexpr double Evenness = 0.3;
 
-/** The points as the positions of vertices, after the exterior's. */
-std::vector<Point>
-MakeCenters(const std::vector<Point> & points)
+std::vector<double>
+SpacingsOf(const std::vector<Point> & points)
 {
   std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
   centers.insert(centers.end(), points.begin(), points.end());
-  return centers;
+  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
+                       centers);
+}
+
+AdjacencyComplex
+CleanedComplex(const MirroredCenters & centers)
+{
+  AdjacencyComplex         complex(static_cast<VertexId>(centers.positions.size()),
+                           DelaunayTetrahedralization(centers.positions));
+  SurfaceCleanUpParameters cleanUp;
+  cleanUp.maximumEdgeLength = MaximumEdgeLength;
+  cleanUp.localLengths = centers.spacings;
+  CleanSurface(complex, centers.positions, nullptr, cleanUp);
+  return complex;
 }
 
 /** Of each cell at the surface of the complex, the unit normal out of the tissue, by the areas of its surface
@@ -102,26 +112,21 @@ Median(std::vector<double> & values)
 } // namespace
 
 TissueSurface::TissueSurface(const std::vector<Point> & points, const Box & box)
-  : m_Centers(MakeCenters(points))
-  , m_Complex(static_cast<VertexId>(m_Centers.size()), DelaunayTetrahedralization(m_Centers))
-  , m_Spacings(LocalSpacings(m_Complex, m_Centers))
+  : TissueSurface(MirrorAtSides(points, SpacingsOf(points), box), points.size())
+{}
+
+TissueSurface::TissueSurface(MirroredCenters centers, std::size_t numberOfPoints)
+  : m_Complex(CleanedComplex(centers))
+  , m_Centers(std::move(centers.positions))
+  , m_Spacings(std::move(centers.spacings))
+  , m_Normals(SurfaceNormals(m_Complex, m_Centers))
+  , m_IsCut(numberOfPoints + 1, false)
 {
-  SurfaceCleanUpParameters cleanUp;
-  cleanUp.maximumEdgeLength = MaximumEdgeLength;
-  cleanUp.localLengths = m_Spacings;
-  CleanSurface(m_Complex, m_Centers, nullptr, cleanUp);
-  m_Normals = SurfaceNormals(m_Complex, m_Centers);
-  this->EstimateDepths();
-  for (std::size_t v = 0; v < m_Centers.size(); ++v)
+  for (std::size_t v = numberOfPoints + 1; v < centers.originals.size(); ++v)
   {
-    const double margin = SideDistance * m_Spacings[v];
-    bool         isAtSide = false;
-    for (int i = 0; i < 3; ++i)
-    {
-      isAtSide |= m_Centers[v][i] < box.lower[i] + margin || m_Centers[v][i] > box.upper[i] - margin;
-    }
-    m_IsAtSide.push_back(isAtSide);
+    m_IsCut[centers.originals[v]] = true;
   }
+  this->EstimateDepths();
 }
 
 void
@@ -169,9 +174,9 @@ TissueSurface::EvenOut(double share)
 void
 TissueSurface::Follow(const std::vector<MetricSeed> & seeds)
 {
-  for (std::size_t v = 1; v < m_Depths.size(); ++v)
+  for (std::size_t v = 1; v < m_IsCut.size(); ++v)
   {
-    if (m_Depths[v] > 0.0 && !m_IsAtSide[v])
+    if (m_Depths[v] > 0.0)
     {
       const double way = Dot(seeds[v - 1].position - m_Centers[v], m_Normals[v]);
       m_Depths[v] = std::clamp(m_Depths[v] + DepthStep * way, LeastDepth * m_Spacings[v], MostDepth * m_Spacings[v]);

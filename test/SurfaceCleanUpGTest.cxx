@@ -145,6 +145,27 @@ TEST(SurfaceCleanUp, OpensTheNotchOfAnL)
   }
 }
 
+TEST(SurfaceCleanUp, FollowsTheLocalLengths)
+{
+  const auto             centers = LShape();
+  const AdjacencyComplex delaunay = DelaunayComplex(centers);
+  auto                   local = Limit(0.5, false);
+  local.localLengths.assign(centers.size(), 4.0);
+  AdjacencyComplex byLocal = delaunay;
+  AdjacencyComplex byOne = delaunay;
+  CleanSurface(byLocal, centers, nullptr, local);
+  CleanSurface(byOne, centers, nullptr, Limit(2.0, false));
+  EXPECT_EQ(byLocal.GetTetrahedra(), byOne.GetTetrahedra());
+  // Long enough at one arm to allow every edge from it: the notch stays closed.
+  for (std::size_t v = 1; v < centers.size(); ++v)
+  {
+    local.localLengths[v] = centers[v][1] > 2.9 ? 50.0 : 4.0;
+  }
+  AdjacencyComplex half = delaunay;
+  CleanSurface(half, centers, nullptr, local);
+  EXPECT_GT(NumberInNotch(half, centers), 10u);
+}
+
 TEST(SurfaceCleanUp, LeavesAConvexTissueWithinTheLimitAlone)
 {
   const auto       centers = RandomCenters(50, 1);

@@ -86,8 +86,8 @@ struct AdjacencyOverlap
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
 
-/** Likewise of tetrahedra over vertices of their own: ids[v] is what v is in the reference, negative where it is nothing
- * there. */
+/** Likewise of tetrahedra over vertices of their own: ids[v] is what v is in the reference, negative where it is
+ * nothing there. */
 AdjacencyOverlap
 ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
                         const ReferenceAdjacency & reference);

@@ -13,6 +13,8 @@
 
 namespace tissue
 {
+struct MirroredCenters;
+
 /** \brief The surface of a tissue as its cells' centres tell it: surface triangles of their complex, and how far the
  * surface is above the centres at their corners.
  *
@@ -24,7 +26,7 @@ class TissueSurface
 {
 public:
   /** \param points of the cells.
-   * \param box of the tissue: the depth of cells that may be cut by its sides does not follow.
+   * \param box of the tissue: a cell whose centre is near a side is taken to be cut by it, and has no surface there.
    * \throws std::invalid_argument as DelaunayTetrahedralization(). */
   TissueSurface(const std::vector<Point> & points, const Box & box);
 
@@ -42,26 +44,29 @@ public:
     return m_Spacings[point + 1];
   }
 
-  /** Whether the cell of the point is at the surface. */
+  /** Whether the cell of the point is neither at the surface nor cut by a side of the box. */
   bool
-  IsAtSurface(std::size_t point) const
+  IsInner(std::size_t point) const
   {
-    return m_Depths[point + 1] > 0.0;
+    return m_Depths[point + 1] == 0.0 && !m_IsCut[point + 1];
   }
 
 private:
+  TissueSurface(MirroredCenters centers, std::size_t numberOfPoints);
+
   void
   EstimateDepths();
   void
   EvenOut(double share);
 
-  /** All by vertices of the complex, the exterior being the first. */
-  std::vector<Point>  m_Centers;
+  /** By vertices of the complex: the exterior, the points, and their mirror images beyond the sides that cut them. */
   AdjacencyComplex    m_Complex;
+  std::vector<Point>  m_Centers;
   std::vector<double> m_Spacings;
   std::vector<Point>  m_Normals;
   std::vector<double> m_Depths;
-  std::vector<bool>   m_IsAtSide;
+  /** Of the exterior and the points. */
+  std::vector<bool> m_IsCut;
 };
 } // namespace tissue
 
