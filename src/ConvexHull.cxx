@@ -12,6 +12,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <numeric>
+
 namespace tissue
 {
 double
@@ -26,7 +29,8 @@ ConvexHullVolume(const std::vector<Point> & points)
   }
   Mesh hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull);
-  double sixfoldVolume = 0.0;
+  // The order of the faces, and where each begins, depend on addresses in memory: the sum must not.
+  std::vector<double> sixfoldVolumes;
   for (const Mesh::Face_index face : hull.faces())
   {
     std::vector<Point> corners;
@@ -35,8 +39,10 @@ ConvexHullVolume(const std::vector<Point> & points)
       const Kernel::Point_3 & p = hull.point(v);
       corners.push_back(Point{ { p.x(), p.y(), p.z() } } - points.front());
     }
-    sixfoldVolume += corners.size() == 3 ? Dot(corners[0], Cross(corners[1], corners[2])) : 0.0;
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    sixfoldVolumes.push_back(corners.size() == 3 ? Dot(corners[0], Cross(corners[1], corners[2])) : 0.0);
   }
-  return std::abs(sixfoldVolume) / 6.0;
+  std::sort(sixfoldVolumes.begin(), sixfoldVolumes.end());
+  return std::abs(std::accumulate(sixfoldVolumes.begin(), sixfoldVolumes.end(), 0.0)) / 6.0;
 }
 } // namespace tissue
