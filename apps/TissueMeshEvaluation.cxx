@@ -132,7 +132,7 @@ Print(const Evaluation & e, std::ostream & stream)
 {
   const WallMeshEvaluation & m = e.mesh;
   const auto                 line = [&stream](const char * name) -> std::ostream & {
-    return stream << std::left << std::setw(34) << name << std::right;
+    return stream << std::left << std::setw(36) << name << std::right;
   };
   const auto numberOrNone = [](double value) {
     std::ostringstream text;

@@ -8,7 +8,11 @@
 #include "ComparisonTable.h"
 #include "LabelInput.h"
 #include "TissueTessellationCore/TissueReconstruction.h"
+#include "TissueTessellationCore/Voids.h"
 #include "TissueTessellationVTKBridge.h"
+#include "itkCoreParallelFor.h"
+#include "itkJunctionsToCellWallMeshFilter.h"
+#include "itkLabelVolume.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -44,31 +48,41 @@ Median(std::vector<double> values)
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-/** Our pipeline from the file to VTK, once. */
-Contestant
-RunPipeline(const Options & options)
+/** As all are judged: with one exterior, which the peers know alone. */
+TissueMeshEvaluation
+Evaluate(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels)
 {
-  ReconstructionParameters parameters;
-  parameters.refinement = options.refinement;
+  const auto threader = itk::MultiThreaderBase::New();
+  return EvaluateTissueMesh(walls, junctions, labels, itk::MakeParallelFor(threader));
+}
+
+/** Our pipeline from the file to VTK, once; `mesh` is what it made. */
+Contestant
+RunPipeline(const Options & options, itk::CellWallMesh::Pointer & mesh)
+{
   Contestant run;
   Stopwatch  whole;
   Stopwatch  phase;
   const auto labels = ReadLabels(options.labels);
   run.phases.push_back({ "read", phase.Lap().wallSeconds });
-  const auto          extracted = ExtractJunctions(labels);
-  const JunctionSet & junctions = extracted->GetJunctionSet();
+  const auto extracted = ExtractJunctions(labels);
+  const auto filter = itk::JunctionsToCellWallMeshFilter::New();
+  filter->SetInput(extracted);
+  filter->SetRefinement(options.refinement);
+  filter->SetLabelVolume(itk::MakeLabelVolume(labels.GetPointer(), extracted->GetJunctionSet()));
   run.phases.push_back({ "extract", phase.Lap().wallSeconds });
-  const TissueReconstruction result = ReconstructTissue(junctions, parameters);
+  filter->Update();
+  mesh = filter->GetOutput();
+  const TissueReconstruction & result = mesh->GetReconstruction();
   run.phases.push_back({ "Delaunay", result.delaunay.seconds });
   run.phases.push_back({ "clean-up", result.cleaned.seconds });
   run.phases.push_back({ "optimization", result.optimized.seconds });
   run.phases.push_back({ "dual", result.dualSeconds });
   phase.Lap();
-  const auto polyData = MakeWallPolyData(result.walls, junctions.cells);
+  const auto polyData = MakeWallPolyData(result.walls, mesh->GetJunctionSet().cells);
   run.phases.push_back({ "VTK", phase.Lap().wallSeconds });
   run.time = whole.Lap();
   run.numberOfOutputTriangles = static_cast<std::size_t>(polyData->GetNumberOfPolys());
-  run.evaluation = EvaluateWallMesh(result.walls, junctions);
   return run;
 }
 
@@ -76,10 +90,11 @@ RunPipeline(const Options & options)
 Contestant
 RunOurs(const Options & options)
 {
-  std::vector<Contestant> runs;
+  itk::CellWallMesh::Pointer mesh;
+  std::vector<Contestant>    runs;
   for (int i = 0; i < options.repetitions; ++i)
   {
-    runs.push_back(RunPipeline(options));
+    runs.push_back(RunPipeline(options, mesh));
   }
   const auto median = [&runs](const auto & get) {
     std::vector<double> values(runs.size());
@@ -94,17 +109,20 @@ RunOurs(const Options & options)
   {
     ours.phases[p].wallSeconds = median([p](const Contestant & run) { return run.phases[p].wallSeconds; });
   }
+  const JunctionSet junctions = MergeVoids(mesh->GetJunctionSet());
+  ours.evaluation =
+    Evaluate(mesh->GetWallMesh(), junctions, *itk::MakeLabelVolume(ReadLabels(options.labels).GetPointer(), junctions));
   return ours;
 }
 
 Contestant
-Judge(const std::string & name, const PeerMesh & mesh, const JunctionSet & junctions)
+Judge(const std::string & name, const PeerMesh & mesh, const JunctionSet & junctions, const LabelVolume & labels)
 {
   Contestant peer;
   peer.name = name;
   peer.time = mesh.time;
   peer.numberOfOutputTriangles = mesh.numberOfOutputTriangles;
-  peer.evaluation = EvaluateWallMesh(MakeWallMesh(mesh.boundaries), junctions);
+  peer.evaluation = Evaluate(MakeWallMesh(mesh.boundaries), junctions, labels);
   return peer;
 }
 
@@ -122,7 +140,8 @@ GuessFacetSize(const JunctionSet & junctions)
 
 /** Mesh_3 at about so many triangles: the facet size is searched in a few runs, unless it is given. */
 Contestant
-RunMesh3(const Options & options, const CellImage * cells, const JunctionSet & junctions, double numberOfTriangles)
+RunMesh3(const Options & options, const CellImage * cells, const JunctionSet & junctions, const LabelVolume & volume,
+         double numberOfTriangles)
 {
   constexpr int    mostRuns = 5;
   constexpr double tolerance = 0.05;
@@ -145,7 +164,7 @@ RunMesh3(const Options & options, const CellImage * cells, const JunctionSet & j
   }
   std::ostringstream name;
   name << "CGAL Mesh_3, facet size " << std::setprecision(3) << parameters.facetSize;
-  return Judge(name.str(), mesh, junctions);
+  return Judge(name.str(), mesh, junctions, volume);
 }
 
 std::vector<Contestant>
@@ -154,25 +173,28 @@ Compare(const Options & options)
   std::vector<Contestant> contestants = { RunOurs(options) };
   const auto              labels = ReadLabels(options.labels);
   const auto              extracted = ExtractJunctions(labels);
-  const JunctionSet &     junctions = extracted->GetJunctionSet();
+  const JunctionSet       junctions = MergeVoids(extracted->GetJunctionSet());
   const auto              cells = MakeCellImage(labels, junctions.cells);
+  const LabelVolume       volume = MakePeerVolume(cells);
   const std::size_t       numberOfCells = junctions.cells.size() - 1;
   if (!options.skipMesh3)
   {
     const double numberOfTriangles = options.trianglesPerCell > 0.0
                                        ? options.trianglesPerCell * static_cast<double>(numberOfCells)
                                        : static_cast<double>(contestants.front().numberOfOutputTriangles);
-    contestants.push_back(RunMesh3(options, cells, junctions, numberOfTriangles));
+    contestants.push_back(RunMesh3(options, cells, junctions, volume, numberOfTriangles));
   }
   if (!options.skipContours)
   {
     const auto numberOfVertices = static_cast<VertexId>(junctions.cells.size());
     contestants.push_back(Judge("vtkDiscreteMarchingCubes",
                                 MeshByLabelContours(cells, numberOfVertices, LabelContour::DiscreteMarchingCubes),
-                                junctions));
+                                junctions,
+                                volume));
     contestants.push_back(Judge("vtkDiscreteFlyingEdges3D",
                                 MeshByLabelContours(cells, numberOfVertices, LabelContour::DiscreteFlyingEdges),
-                                junctions));
+                                junctions,
+                                volume));
   }
   return contestants;
 }

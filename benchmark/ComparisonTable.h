@@ -8,7 +8,7 @@
 #define ComparisonTable_h
 
 #include "Stopwatch.h"
-#include "TissueTessellationCore/WallMeshEvaluation.h"
+#include "TissueTessellationCore/TissueMeshEvaluation.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,7 +18,7 @@
 
 namespace tissue
 {
-/** One row of the comparison. */
+/** One column of the comparison. */
 struct Contestant
 {
   struct Phase
@@ -31,11 +31,11 @@ struct Contestant
   ElapsedTime        time;
   std::vector<Phase> phases;
   /** As the program gives them; those of the evaluation count a wall once. */
-  std::size_t        numberOfOutputTriangles = 0;
-  WallMeshEvaluation evaluation;
+  std::size_t          numberOfOutputTriangles = 0;
+  TissueMeshEvaluation evaluation;
 };
 
-/** A Markdown table, then the phases of those that have some. */
+/** A Markdown table, a row for each figure, then the phases of those that have some. */
 void
 Print(const std::vector<Contestant> & contestants, std::ostream & os);
 

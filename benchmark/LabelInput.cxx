@@ -56,4 +56,19 @@ MakeCellImage(const LabelImage * labels, const std::vector<Cell> & cells)
   pad->Update();
   return pad->GetOutput();
 }
+
+LabelVolume
+MakePeerVolume(const CellImage * image)
+{
+  const auto  region = image->GetBufferedRegion();
+  LabelVolume volume;
+  volume.vertices.assign(image->GetBufferPointer(), image->GetBufferPointer() + region.GetNumberOfPixels());
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    volume.size[i] = static_cast<std::int32_t>(region.GetSize(i));
+    volume.steps[i] = { { 0.0, 0.0, 0.0 } };
+    volume.steps[i][i] = image->GetSpacing()[i];
+  }
+  return volume;
+}
 } // namespace tissue

@@ -8,6 +8,7 @@
 #define LabelInput_h
 
 #include "PeerMeshers.h"
+#include "TissueTessellationCore/LabelVolume.h"
 #include "itkTissueJunctions.h"
 
 #include <string>
@@ -27,6 +28,10 @@ ExtractJunctions(const LabelImage * labels);
 /** Labels that are none of the cells become the exterior. */
 CellImage::Pointer
 MakeCellImage(const LabelImage * labels, const std::vector<Cell> & cells);
+
+/** The image as the evaluation reads it, in the space of the peers' meshes. */
+LabelVolume
+MakePeerVolume(const CellImage * image);
 } // namespace tissue
 
 #endif

@@ -6,14 +6,12 @@
  *=========================================================================*/
 #include "TissueTessellationCore/ConvexHull.h"
 
-#include "TissueTessellationCore/Vector.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
-#include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace tissue
 {
@@ -29,20 +27,24 @@ ConvexHullVolume(const std::vector<Point> & points)
   }
   Mesh hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull);
-  // The order of the faces, and where each begins, depend on addresses in memory: the sum must not.
-  std::vector<double> sixfoldVolumes;
+  // CGAL keeps facets by their addresses, so that each run has them in another order: exact numbers have one sum.
+  using Number = CGAL::MP_Float;
+  Number sixfoldVolume = 0;
   for (const Mesh::Face_index face : hull.faces())
   {
-    std::vector<Point> corners;
+    std::vector<std::array<Number, 3>> p;
     for (const Mesh::Vertex_index v : hull.vertices_around_face(hull.halfedge(face)))
     {
-      const Kernel::Point_3 & p = hull.point(v);
-      corners.push_back(Point{ { p.x(), p.y(), p.z() } } - points.front());
+      const Kernel::Point_3 & corner = hull.point(v);
+      p.push_back({ { corner.x(), corner.y(), corner.z() } });
     }
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    sixfoldVolumes.push_back(corners.size() == 3 ? Dot(corners[0], Cross(corners[1], corners[2])) : 0.0);
+    if (p.size() == 3)
+    {
+      sixfoldVolume += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+                       p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+                       p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    }
   }
-  std::sort(sixfoldVolumes.begin(), sixfoldVolumes.end());
-  return std::abs(std::accumulate(sixfoldVolumes.begin(), sixfoldVolumes.end(), 0.0)) / 6.0;
+  return std::abs(CGAL::to_double(sixfoldVolume)) / 6.0;
 }
 } // namespace tissue

@@ -125,7 +125,7 @@ ComputeOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQu
            Jaccard(static_cast<std::size_t>(commonQuadruples), quadruples.size(), reference.NumberOfQuadruples()) };
 }
 
-/** The points of the triangles of each cell, each as often as it is there. */
+/** The points of the triangles of each cell, each once, ascending: equal ones are slow for exact predicates. */
 std::vector<std::vector<Point>>
 PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
 {
@@ -143,6 +143,7 @@ PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
       }
     }
   }
+  std::for_each(points.begin(), points.end(), SortUnique<Point>);
   return points;
 }
 

@@ -5,7 +5,7 @@
  *
  *=========================================================================*/
 #include "LabelInput.h"
-#include "TissueTessellationCore/WallMeshEvaluation.h"
+#include "TissueTessellationCore/TissueMeshEvaluation.h"
 
 #include <itkImageRegionIteratorWithIndex.h>
 
@@ -61,7 +61,12 @@ protected:
   tissue::WallMeshEvaluation
   Evaluate(const tissue::PeerMesh & mesh) const
   {
-    return tissue::EvaluateWallMesh(tissue::MakeWallMesh(mesh.boundaries), junctions);
+    const auto evaluation =
+      tissue::EvaluateTissueMesh(tissue::MakeWallMesh(mesh.boundaries), junctions, tissue::MakePeerVolume(cells));
+    // The space of the mesh is that of the volume: half a voxel beside, a cell of 10 layers has 0.95.
+    EXPECT_GT(evaluation.meanDice, 0.97);
+    EXPECT_LT(evaluation.distance.InVoxels(evaluation.distance.mean), 0.6);
+    return evaluation.mesh;
   }
 
   tissue::JunctionSet        junctions = JunctionsOfBricks();

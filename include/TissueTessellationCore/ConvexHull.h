@@ -13,7 +13,7 @@
 
 namespace tissue
 {
-/** Volume of the convex hull of the points, by CGAL; 0 where they are in one plane. */
+/** Volume of the convex hull of the points, by CGAL, exact but for its last rounding; 0 where they are in one plane. */
 double
 ConvexHullVolume(const std::vector<Point> & points);
 } // namespace tissue
