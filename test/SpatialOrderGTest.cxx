@@ -77,6 +77,18 @@ TEST(SpatialOrder, DependsOnThePositionsAlone)
   }
 }
 
+TEST(SpatialOrder, TurnsWithThePositions)
+{
+  const std::vector<Point> centers = RandomPoints(300);
+  std::vector<Point>       turned = centers;
+  for (Point & p : turned)
+  {
+    // About the third axis, then mirrored and scaled.
+    p = { { 5.0 - 2.0 * (0.6 * p[0] - 0.8 * p[1]), 2.0 * (0.8 * p[0] + 0.6 * p[1]), 2.0 * p[2] - 1.0 } };
+  }
+  EXPECT_EQ(SpatialOrder(turned), SpatialOrder(centers));
+}
+
 TEST(SpatialOrder, RanksAreItsInverse)
 {
   const std::vector<VertexId> order = SpatialOrder(RandomPoints(100));

@@ -14,7 +14,8 @@
 namespace tissue
 {
 /** The vertices along a Hilbert curve through their centres, the exterior first whatever its centre: numbered so, what
- * is near in the tissue is near in memory. Depends on the centres alone, but for the order of those that coincide. */
+ * is near in the tissue is near in memory. Depends on the centres alone, but for the order of those that coincide, and
+ * stays the same where they are turned, mirrored, shifted or scaled together. */
 std::vector<VertexId>
 SpatialOrder(const std::vector<Point> & centers);
 
