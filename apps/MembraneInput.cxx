@@ -6,40 +6,30 @@
  *=========================================================================*/
 #include "MembraneInput.h"
 
-#include "ImageFileCheck.h"
-#include "ImageInput.h"
 #include "JunctionInput.h"
 #include "LapTimer.h"
-#include "StandardErrorCapture.h"
 #include "itkMembraneToTissueLabelImageFilter.h"
 
 namespace tissue
 {
-MembraneImage::Pointer
-ReadScalarImage(const std::string & path, const std::string & kind, TissueInput & input)
+ScalarImage::Pointer
+ReadStain(const std::string & path, TissueInput & input)
 {
-  LapTimer                        timer;
-  StandardErrorCapture            messages;
-  const itk::ImageIOBase::Pointer io = OpenImage(path);
-  RequireVolume(io, kind);
-  RequireAllVoxels(path, io);
-  MembraneImage::Pointer image = ReadImage<MembraneImage>(path, std::nullopt);
-  for (const std::string & warning : JudgeMessages(messages.Release(), io))
-  {
-    input.warnings.push_back(warning);
-  }
-  input.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
-  DescribeImage(image.GetPointer(), input);
+  LapTimer              timer;
+  const ScalarImageFile file = ReadScalarImage(path);
+  input.warnings.insert(input.warnings.end(), file.warnings.begin(), file.warnings.end());
+  input.pixelType = file.pixelType;
+  DescribeImage(file.image.GetPointer(), input);
   input.readSeconds += timer.Lap();
-  return image;
+  return file.image;
 }
 
 TissueLabelImage::Pointer
-SegmentMembranes(const MembraneImage * membranes, const TissueLabelImage * cells, const MembraneOptions & options,
+SegmentMembranes(const ScalarImage * membranes, const TissueLabelImage * cells, const MembraneOptions & options,
                  ProgressBar & progress, TissueInput & input)
 {
   LapTimer   timer;
-  const auto segmentation = itk::MembraneToTissueLabelImageFilter<MembraneImage, TissueLabelImage>::New();
+  const auto segmentation = itk::MembraneToTissueLabelImageFilter<ScalarImage, TissueLabelImage>::New();
   segmentation->SetInput(membranes);
   if (cells != nullptr)
   {
@@ -60,7 +50,7 @@ ReadMembranes(const TissueTessellationOptions & options, ProgressBar & progress)
 {
   TissueInput input;
   progress.Begin("Reading");
-  const MembraneImage::Pointer    membranes = ReadScalarImage(options.membrane.file, "an image of membranes", input);
+  const ScalarImage::Pointer      membranes = ReadStain(options.membrane.file, input);
   const TissueLabelImage::Pointer cells = SegmentMembranes(membranes, nullptr, options.membrane, progress, input);
   ExtractTissueJunctions(cells.GetPointer(), options, progress, input);
   CheckThatCellsTouch(input.junctions->GetJunctionSet(), options, input);

@@ -7,19 +7,18 @@
 // Finds nuclei in an image of their stain: NucleiDetection [options] image points.csv
 
 #include "BlobPicture.h"
+#include "DetectionOptions.h"
 #include "OutputFiles.h"
 #include "PointOutput.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
 #include "ScalarImageInput.h"
-#include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
 
 #include <CLI/CLI.hpp>
 #include <itkMultiThreaderBase.h>
 
 #include <array>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -32,15 +31,7 @@ struct Options
   std::string                          image;
   std::string                          points;
   std::string                          picture;
-  double                               minimumScale = 0.0;
-  double                               maximumScale = 0.0;
-  unsigned int                         stepsPerOctave = 4;
-  double                               threshold = 0.0;
-  double                               relativeThreshold = 0.0;
-  double                               maximumOverlap = 0.5;
-  double                               maximumHessianRatio = 10.0;
-  double                               borderMargin = 0.0;
-  bool                                 isDark = false;
+  DetectionOptions                     detection;
   std::optional<std::array<double, 3>> spacing;
   std::uint32_t                        threads = 0;
   bool                                 isQuiet = false;
@@ -49,44 +40,14 @@ struct Options
 void
 AddOptions(CLI::App & app, Options & options)
 {
-  const auto positive = CLI::Range(0.0, std::numeric_limits<double>::max());
   app.option_defaults()->always_capture_default();
   app.add_option("image", options.image, "3-D image of one component, of any type that ITK reads")->required();
   app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
   app.add_option(
     "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles");
-  app
-    .add_option("--minimumScale",
-                options.minimumScale,
-                "Standard deviation of the smallest nuclei, in the image's units: their radius over 1.73")
-    ->required()
-    ->check(positive);
-  app.add_option("--maximumScale", options.maximumScale, "Standard deviation of the largest nuclei")
-    ->required()
-    ->check(positive);
-  app.add_option("--stepsPerOctave", options.stepsPerOctave, "Scales for each doubling")->check(CLI::Range(1, 64));
-  app.add_option("--threshold", options.threshold, "Least response, in the image's units; 0: see the next")
-    ->check(positive);
-  app
-    .add_option("--relativeThreshold",
-                options.relativeThreshold,
-                "Least response relative to the greatest; 0: found from all responses")
-    ->check(CLI::Range(0.0, 0.999));
-  app
-    .add_option("--maximumOverlap",
-                options.maximumOverlap,
-                "Greatest share of the smaller of two nuclei that they have in common")
-    ->check(CLI::Range(0.0, 1.0));
-  app
-    .add_option("--maximumHessianRatio",
-                options.maximumHessianRatio,
-                "Greatest elongation, as the ratio of the Hessian's eigenvalues; 0: any")
-    ->check(positive);
-  app
-    .add_option(
-      "--borderMargin", options.borderMargin, "Leave out nuclei nearer to the border of the image, in its units")
-    ->check(positive);
-  app.add_flag("--dark", options.isDark, "Nuclei are darker than what is around them");
+  AddDetectionOptions(app, options.detection);
+  app.get_option("--minimumScale")->required();
+  app.get_option("--maximumScale")->required();
   app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(CLI::Range(1e-9, 1e9));
   app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
   app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
@@ -103,24 +64,11 @@ Run(const Options & options)
   }
   ProgressBar progress(options.isQuiet);
   progress.Begin("Reading");
-  const auto image = ReadScalarImage(options.image, options.spacing);
-  const auto detection = itk::DifferenceOfGaussiansBlobDetectionFilter<ScalarImage>::New();
-  detection->SetInput(image);
-  detection->SetMinimumScale(options.minimumScale);
-  detection->SetMaximumScale(options.maximumScale);
-  detection->SetStepsPerOctave(options.stepsPerOctave);
-  detection->SetThreshold(options.threshold);
-  detection->SetRelativeThreshold(options.relativeThreshold);
-  detection->SetMaximumOverlap(options.maximumOverlap);
-  detection->SetMaximumHessianRatio(options.maximumHessianRatio);
-  detection->SetBorderMargin(options.borderMargin);
-  detection->SetDarkBlobs(options.isDark);
-  progress.Begin("Detecting");
-  progress.Observe(detection);
-  detection->Update();
-
-  const auto * const blobs = detection->GetOutput();
-  PointTable         table;
+  const ScalarImageFile      file = ReadScalarImage(options.image, options.spacing);
+  const ScalarImage::Pointer image = file.image;
+  const auto                 detection = DetectNuclei(image, options.detection, progress);
+  const auto * const         blobs = detection->GetOutput();
+  PointTable                 table;
   table.columns = { { "label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
   for (itk::SizeValueType i = 0; i < blobs->GetNumberOfPoints(); ++i)
   {
@@ -142,6 +90,10 @@ Run(const Options & options)
   }
   files.Commit();
   progress.End();
+  for (const std::string & warning : file.warnings)
+  {
+    std::cerr << "NucleiDetection: warning: " << warning << '\n';
+  }
   if (!options.isQuiet)
   {
     std::cout << options.points << ": " << table.points.size() << " nuclei, responses of "

@@ -19,7 +19,10 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
 {
   if (!hasLabels)
   {
-    app.add_option("points", options.labels, "Centres of cells or nuclei: .csv, .fcsv or .vtp; none with --centersOf")
+    app
+      .add_option("points",
+                  options.labels,
+                  "Centres of cells or nuclei (.csv, .fcsv or .vtp), or an image of nuclei; none with --centersOf")
       ->required()
       ->type_name("FILE");
   }
@@ -41,6 +44,7 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->type_name("FILE")
     ->group("Membranes");
   AddMembraneOptions(app, options.membrane);
+  AddDetectionOptions(app, options.detection);
 }
 } // namespace
 
@@ -70,9 +74,10 @@ ParseNucleiCommandLine(int argc, char ** argv)
   {
     options.labels = options.centersOf;
   }
-  else if (!IsPointFile(options.labels))
+  else if (!IsPointFile(options.labels) && !(options.detection.maximumScale > 0.0))
   {
-    throw std::runtime_error(options.labels + ": the name of a file of points must end in .csv, .fcsv or .vtp");
+    throw std::runtime_error(options.labels + ": an image of nuclei needs --minimumScale and --maximumScale, a file of "
+                                              "points has a name that ends in .csv, .fcsv or .vtp");
   }
   options.otherInputs = { options.box };
   FinishParameters(options);
@@ -84,7 +89,22 @@ ToJson(const NucleiTessellationOptions & options)
 {
   nlohmann::ordered_json json;
   json["preset"] = options.preset;
-  json["points"] = options.centersOf.empty() ? "of the file" : "centres of the cells of a label image";
+  json["points"] = !options.centersOf.empty()    ? "centres of the cells of a label image"
+                   : IsPointFile(options.labels) ? "of the file"
+                                                 : "nuclei";
+  if (options.centersOf.empty() && !IsPointFile(options.labels))
+  {
+    const DetectionOptions & d = options.detection;
+    json["detection"] = { { "minimumScale", d.minimumScale },
+                          { "maximumScale", d.maximumScale },
+                          { "stepsPerOctave", d.stepsPerOctave },
+                          { "threshold", d.threshold },
+                          { "relativeThreshold", d.relativeThreshold },
+                          { "maximumOverlap", d.maximumOverlap },
+                          { "maximumHessianRatio", d.maximumHessianRatio },
+                          { "borderMargin", d.borderMargin },
+                          { "dark", d.isDark } };
+  }
   json["box"] = options.box;
   json["voxelsPerCell"] = options.voxelsPerCell;
   json["evaluateAgainst"] = options.evaluateAgainst;

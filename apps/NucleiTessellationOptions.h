@@ -7,6 +7,7 @@
 #ifndef NucleiTessellationOptions_h
 #define NucleiTessellationOptions_h
 
+#include "DetectionOptions.h"
 #include "TissueTessellationOptions.h"
 
 namespace tissue
@@ -18,6 +19,8 @@ struct NucleiTessellationOptions : TissueTessellationOptions
   std::string centersOf;
   /** An image that fills the box that the points were seen in; empty: that of another image, or none is known. */
   std::string box;
+  /** How the nuclei are found, if their image is given in place of points. */
+  DetectionOptions detection;
   /** Of the label image made of the points. */
   double voxelsPerCell = 1000.0;
 };

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace tissue
@@ -99,18 +100,64 @@ ReadCenters(const std::string & path, ProgressBar & progress, TissueInput & inpu
   return result;
 }
 
+/** The nuclei of an image, numbered from 1 on. */
+LabelledPoints
+FindNuclei(const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+{
+  constexpr std::size_t      minimum = 4;
+  const ScalarImage::Pointer image = ReadStain(options.labels, input);
+  LapTimer                   timer;
+  const auto                 detection = DetectNuclei(image, options.detection, progress);
+  const auto * const         nuclei = detection->GetOutput();
+  LabelledPoints             result;
+  for (itk::SizeValueType i = 0; i < nuclei->GetNumberOfPoints(); ++i)
+  {
+    const auto point = nuclei->GetPoint(i);
+    result.points.push_back({ { point[0], point[1], point[2] } });
+    result.labels.push_back(static_cast<Label>(i + 1));
+  }
+  if (result.points.size() < minimum)
+  {
+    std::ostringstream message;
+    message << result.points.size() << " nuclei of scales from " << options.detection.minimumScale << " to "
+            << options.detection.maximumScale << " have a response of " << detection->GetUsedThreshold()
+            << " or more, at least " << minimum << " are needed";
+    throw std::runtime_error(message.str());
+  }
+  input.segmentSeconds += timer.Lap();
+  return result;
+}
+
+LabelledPoints
+ReadCells(const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+{
+  if (!options.centersOf.empty())
+  {
+    return ReadCenters(options.centersOf, progress, input);
+  }
+  return IsPointFile(options.labels) ? ReadPoints(options.labels, input) : FindNuclei(options, progress, input);
+}
+
 /** An image without pixels that fills the box of a file's. */
 itk::ImageBase<3>::Pointer
 ReadBox(const std::string & path)
 {
   const itk::ImageIOBase::Pointer io = OpenImage(path);
   RequireVolume(io, "an image of a tissue");
-  const auto reader = itk::ImageFileReader<MembraneImage>::New();
+  const auto reader = itk::ImageFileReader<ScalarImage>::New();
   reader->SetFileName(path);
   reader->UpdateOutputInformation();
   const auto box = itk::ImageBase<3>::New();
   box->CopyInformation(reader->GetOutput());
   return box;
+}
+
+/** The image that fills the box that the points were seen in; empty if there is none. */
+std::string
+FindBoxFile(const NucleiTessellationOptions & options)
+{
+  const bool hasImage = !options.centersOf.empty() || !IsPointFile(options.labels);
+  return options.box.empty() && hasImage ? options.labels : options.box;
 }
 
 TissueLabelImage::Pointer
@@ -156,8 +203,7 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
 {
   TissueInput input;
   progress.Begin("Reading");
-  const LabelledPoints points =
-    options.centersOf.empty() ? ReadPoints(options.labels, input) : ReadCenters(options.centersOf, progress, input);
+  const LabelledPoints points = ReadCells(options, progress, input);
   input.exteriorLabel = points.exteriorLabel;
   input.numberOfPoints = points.points.size();
   JunctionSet cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
@@ -169,12 +215,11 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
     return input;
   }
   itk::ImageBase<3>::Pointer box;
-  MembraneImage::Pointer     membranes;
-  const std::string          boxFile = options.box.empty() ? options.centersOf : options.box;
+  ScalarImage::Pointer       membranes;
+  const std::string          boxFile = FindBoxFile(options);
   if (hasMembranes)
   {
-    membranes = WithFileName(options.membrane.file,
-                             [&] { return ReadScalarImage(options.membrane.file, "an image of membranes", input); });
+    membranes = ReadStain(options.membrane.file, input);
     box = membranes.GetPointer();
   }
   else if (!boxFile.empty())

@@ -11,26 +11,21 @@
 #include "RunProgram.h"
 #include "StandardErrorCapture.h"
 
-#include <stdexcept>
-
 namespace tissue
 {
-ScalarImage::Pointer
+ScalarImageFile
 ReadScalarImage(const std::string & path, const std::optional<std::array<double, 3>> & spacing)
 {
-  try
-  {
+  return WithFileName(path, [&] {
     StandardErrorCapture            messages;
     const itk::ImageIOBase::Pointer io = OpenImage(path);
     RequireVolume(io, "an image of a stain");
     RequireAllVoxels(path, io);
-    const ScalarImage::Pointer image = ReadImage<ScalarImage>(path, spacing);
-    JudgeMessages(messages.Release(), io);
-    return image;
-  }
-  catch (const std::exception & error)
-  {
-    throw std::runtime_error(path + ": " + ToMessage(error));
-  }
+    ScalarImageFile file;
+    file.image = ReadImage<ScalarImage>(path, spacing);
+    file.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
+    file.warnings = JudgeMessages(messages.Release(), io);
+    return file;
+  });
 }
 } // namespace tissue

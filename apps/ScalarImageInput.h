@@ -12,16 +12,24 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tissue
 {
 using ScalarImage = itk::Image<float, 3>;
 
+struct ScalarImageFile
+{
+  ScalarImage::Pointer image;
+  /** Of the file. */
+  std::string              pixelType;
+  std::vector<std::string> warnings;
+};
+
 /** Reads an image of a stain, of any type of voxels; `spacing` in place of the file's.
- * \throws std::runtime_error or itk::ExceptionObject that names the file: none of that name, not readable, cut off, not
- * three-dimensional, more than one component. */
-ScalarImage::Pointer
-ReadScalarImage(const std::string & path, const std::optional<std::array<double, 3>> & spacing);
+ * \throws FileError: no such file, not readable, cut off, not three-dimensional, more than one component. */
+ScalarImageFile
+ReadScalarImage(const std::string & path, const std::optional<std::array<double, 3>> & spacing = std::nullopt);
 } // namespace tissue
 
 #endif

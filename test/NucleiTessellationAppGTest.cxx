@@ -13,9 +13,11 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <map>
+#include <sstream>
 
 namespace
 {
@@ -132,6 +134,40 @@ TEST_F(NucleiTessellationApp, TheSamePointsInAnyFormatGiveTheSameWalls)
   EXPECT_EQ(meshes.size(), 1u);
 }
 
+TEST_F(NucleiTessellationApp, NucleiOfAnImageAreThePoints)
+{
+  // The box of the tissue, in finer voxels.
+  constexpr double sigma = 0.5;
+  const auto       stain = itk::Image<float, 3>::New();
+  stain->SetRegions(itk::Size<3>{ { 80, 80, 72 } });
+  stain->SetSpacing(itk::Vector<double, 3>(0.25));
+  stain->Allocate();
+  for (itk::ImageRegionIteratorWithIndex<itk::Image<float, 3>> it(stain, stain->GetLargestPossibleRegion());
+       !it.IsAtEnd();
+       ++it)
+  {
+    const auto position = stain->TransformIndexToPhysicalPoint<double>(it.GetIndex());
+    double     value = 0.0;
+    for (const auto & [label, p] : m_Points)
+    {
+      value += 1000.0 *
+               std::exp(-0.5 * position.SquaredEuclideanDistanceTo(itk::Point<double, 3>(p.data())) / (sigma * sigma));
+    }
+    it.Set(static_cast<float>(value));
+  }
+  this->WriteImage(stain.GetPointer(), "nuclei.mha");
+  std::ostringstream scales;
+  scales << " --minimumScale " << 0.7 * sigma << " --maximumScale " << 1.8 * sigma;
+  const auto report =
+    this->RunAndReport("nuclei.mha walls.vtp --refinement 0 --evaluateAgainst tissue.mha" + scales.str());
+  EXPECT_EQ(report["input"]["points"], m_Points.size());
+  EXPECT_EQ(report["evaluation"]["missedCells"], 0);
+  EXPECT_EQ(report["options"]["points"], "nuclei");
+  EXPECT_GT(report["evaluation"]["optimized"]["adjacency2"], 0.7);
+  this->ExpectRefusal("nuclei.mha walls.vtp --threshold 1e6" + scales.str(),
+                      { "nuclei.mha: 0 nuclei of scales from ", "have a response of 1e+06 or more" });
+}
+
 TEST_F(NucleiTessellationApp, MembranesBesideThePointsAndAloneAgreeWithTheTissue)
 {
   this->WriteImage(tissue_test::MakeMembraneImage<unsigned char>(m_Tissue.GetPointer()).GetPointer(), "membrane.mha");
@@ -171,7 +207,8 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
     };
   const std::string four = "x,y,z\n0,0,0\n5,0,1\n0,5,0\n0,1,5\n";
   this->ExpectRefusal("none.csv walls.vtp", { "none.csv: no such file" });
-  this->ExpectRefusal("points.txt walls.vtp", { "points.txt", "must end in .csv, .fcsv or .vtp" });
+  this->ExpectRefusal("points.txt walls.vtp",
+                      { "points.txt: an image of nuclei needs --minimumScale and --maximumScale" });
   refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
