@@ -50,6 +50,7 @@ double
 ChooseBlobThreshold(std::vector<double> responses)
 {
   constexpr double leastShare = 0.01;
+  constexpr double leastFactor = 3.0;
   std::sort(responses.begin(), responses.end());
   responses.erase(
     responses.begin(),
@@ -67,6 +68,7 @@ ChooseBlobThreshold(std::vector<double> responses)
   const auto  n = static_cast<double>(responses.size());
   double      below = 0.0;
   double      best = -1.0;
+  double      factor = 0.0;
   std::size_t first = 0;
   for (std::size_t i = 1; i < responses.size(); ++i)
   {
@@ -78,9 +80,10 @@ ChooseBlobThreshold(std::vector<double> responses)
     {
       best = between;
       first = i;
+      factor = std::exp(-difference);
     }
   }
-  return std::exp(0.5 * (responses[first - 1] + responses[first]));
+  return factor < leastFactor ? std::exp(responses.front()) : std::exp(0.5 * (responses[first - 1] + responses[first]));
 }
 
 std::vector<Blob>

@@ -33,6 +33,16 @@ TEST(BlobSelection, ThresholdPartsTwoKindsThatDifferByAFactor)
   EXPECT_NEAR(ChooseBlobThreshold(responses), 1000.0 * threshold, 1e-6 * threshold);
 }
 
+TEST(BlobSelection, ThresholdLeavesOneKindWhole)
+{
+  std::vector<double> responses{ 0.001 };
+  for (int i = 0; i < 40; ++i)
+  {
+    responses.push_back(20.0 + 0.8 * i);
+  }
+  EXPECT_NEAR(ChooseBlobThreshold(responses), 20.0, 1e-9);
+}
+
 TEST(BlobSelection, ThresholdOfLessThanTwoIsZero)
 {
   EXPECT_EQ(ChooseBlobThreshold({}), 0.0);

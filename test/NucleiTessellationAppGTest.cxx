@@ -13,6 +13,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -136,12 +137,16 @@ TEST_F(NucleiTessellationApp, TheSamePointsInAnyFormatGiveTheSameWalls)
 
 TEST_F(NucleiTessellationApp, NucleiOfAnImageAreThePoints)
 {
-  // The box of the tissue, in finer voxels.
-  constexpr double sigma = 0.5;
-  const auto       stain = itk::Image<float, 3>::New();
-  stain->SetRegions(itk::Size<3>{ { 80, 80, 72 } });
-  stain->SetSpacing(itk::Vector<double, 3>(0.25));
+  // The box of the tissue in voxels of half the size, and nuclei that are small beside the cells.
+  const auto stain = itk::Image<float, 3>::New();
+  const auto coarse = m_Tissue->GetLargestPossibleRegion().GetSize();
+  stain->SetRegions(itk::Size<3>{ { 2 * coarse[0], 2 * coarse[1], 2 * coarse[2] } });
+  stain->SetOrigin(m_Tissue->GetOrigin());
+  stain->SetDirection(m_Tissue->GetDirection());
+  stain->SetSpacing(m_Tissue->GetSpacing() * 0.5);
   stain->Allocate();
+  const auto   spacing = m_Tissue->GetSpacing();
+  const double sigma = 0.8 * std::max({ spacing[0], spacing[1], spacing[2] });
   for (itk::ImageRegionIteratorWithIndex<itk::Image<float, 3>> it(stain, stain->GetLargestPossibleRegion());
        !it.IsAtEnd();
        ++it)

@@ -31,7 +31,9 @@ BlobRadius(double scale);
 /** \brief The response that parts blobs from noise, from the responses of all maxima, most of which may be noise.
  *
  * Otsu's threshold (N. Otsu 1979, doi:10.1109/TSMC.1979.4310076) of the responses' logarithms, of those above a
- * hundredth of the greatest: the two kinds differ by a factor, whatever the units of the image. 0 for less than two. */
+ * hundredth of the greatest: the two kinds differ by a factor, whatever the units of the image. Where the means of the
+ * two are less than a factor of 3 apart there is one kind, and the threshold is the least response. 0 for less than two
+ * responses. */
 double
 ChooseBlobThreshold(std::vector<double> responses);
 
