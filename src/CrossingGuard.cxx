@@ -94,18 +94,16 @@ Select(std::size_t count, const TTest & test, const ParallelFor & parallelFor)
   }
   return all;
 }
-} // namespace
-
+/** Pairs of triangles whose boxes, about their points here and there, overlap, and of which one is marked. */
 std::vector<TrianglePair>
 CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-                  bool movedOnly, const ParallelFor & parallelFor)
+                  const std::vector<unsigned char> & isMarked, const ParallelFor & parallelFor)
 {
   if (mesh.triangles.empty())
   {
     return {};
   }
-  std::vector<Box>           boxes(mesh.triangles.size());
-  std::vector<unsigned char> isMoved(mesh.triangles.size(), movedOnly ? 0 : 1);
+  std::vector<Box> boxes(mesh.triangles.size());
   for (std::size_t t = 0; t < boxes.size(); ++t)
   {
     const Triangle & triangle = mesh.triangles[t];
@@ -114,17 +112,13 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
     {
       Extend(boxes[t], here[p]);
       Extend(boxes[t], there[p]);
-      if (here[p] != there[p])
-      {
-        isMoved[t] = 1;
-      }
     }
   }
   const BoxGrid                          grid(boxes);
   std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
   RunFor(parallelFor, found.size(), [&](std::size_t layer) {
     grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {
-      if (isMoved[a] != 0 || isMoved[b] != 0)
+      if (isMarked[a] != 0 || isMarked[b] != 0)
       {
         found[layer].push_back({ { a, b } });
       }
@@ -138,10 +132,26 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
   return pairs;
 }
 
-std::vector<TrianglePair>
-FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
+/** Marks the triangles that have a point at two places. */
+std::vector<unsigned char>
+MarkMoved(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there)
 {
-  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, false, parallelFor);
+  std::vector<unsigned char> isMoved(mesh.triangles.size(), 0);
+  for (std::size_t t = 0; t < isMoved.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
+    {
+      isMoved[t] |= here[p] != there[p] ? 1 : 0;
+    }
+  }
+  return isMoved;
+}
+
+std::vector<TrianglePair>
+FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked,
+                      const ParallelFor & parallelFor)
+{
+  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, isMarked, parallelFor);
   std::vector<TrianglePair> crossings;
   const auto                test = [&](std::size_t i) {
     return TrianglesCross(mesh.points, mesh.triangles[close[i][0]], mesh.triangles[close[i][1]]);
@@ -153,13 +163,37 @@ FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }
+} // namespace
+
+std::vector<TrianglePair>
+FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
+{
+  return FindCrossingsOfMarked(mesh, std::vector<unsigned char>(mesh.triangles.size(), 1), parallelFor);
+}
+
+std::vector<TrianglePair>
+FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const ParallelFor & parallelFor)
+{
+  std::vector<unsigned char> isOf(mesh.walls.size(), 0);
+  for (const WallId wall : walls)
+  {
+    isOf[wall] = 1;
+  }
+  std::vector<unsigned char> isMarked;
+  for (const WallId wall : mesh.wallOfTriangle)
+  {
+    isMarked.push_back(isOf[wall]);
+  }
+  return FindCrossingsOfMarked(mesh, isMarked, parallelFor);
+}
 
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
                       const ParallelFor & parallelFor)
 {
   const std::vector<Point>        target = mesh.points;
-  const std::vector<TrianglePair> pairs = CollectClosePairs(mesh, before, target, true, parallelFor);
+  const std::vector<TrianglePair> pairs =
+    CollectClosePairs(mesh, before, target, MarkMoved(mesh, before, target), parallelFor);
   // The number of steps back that each point took.
   std::vector<std::size_t>   level(mesh.points.size(), 0);
   std::vector<unsigned char> isChanged(mesh.triangles.size(), 1);

@@ -31,8 +31,7 @@ double
 AreaOf(const WallPatch & patch)
 {
   double area = 0.0;
-  ForEachTriangle(patch,
-                  [&](const Point & a, const Point & b, const Point & c) { area += 0.5 * Norm(Cross(b - a, c - a)); });
+  ForEachTriangle(patch, [&](const Point & a, const Point & b, const Point & c) { area += TriangleArea(a, b, c); });
   return area;
 }
 

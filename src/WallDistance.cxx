@@ -6,47 +6,13 @@
  *=========================================================================*/
 #include "TissueTessellationCore/WallDistance.h"
 
-#include "TissueTessellationCore/ImageFaces.h"
+#include "TissueTessellationCore/PlaceTree.h"
 #include "TissueTessellationCore/Vector.h"
-
-#include <boost/geometry/geometries/adapted/std_array.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
 
 #include <cmath>
 
-BOOST_GEOMETRY_REGISTER_STD_ARRAY_CS(boost::geometry::cs::cartesian)
-
 namespace tissue
 {
-namespace
-{
-/** The places of one wall in the image, for the nearest of them. */
-class PlacesOfWall
-{
-public:
-  PlacesOfWall(const ImagePlaces::Place * begin, const ImagePlaces::Place * end)
-    : m_Tree(begin, end)
-  {}
-
-  bool
-  IsEmpty() const
-  {
-    return m_Tree.empty();
-  }
-
-  double
-  DistanceToNearest(const Point & point) const
-  {
-    const ImagePlaces::Place & place = *m_Tree.qbegin(boost::geometry::index::nearest(point, 1));
-    return Distance(point, { { place[0], place[1], place[2] } });
-  }
-
-private:
-  boost::geometry::index::rtree<ImagePlaces::Place, boost::geometry::index::linear<16>> m_Tree;
-};
-} // namespace
-
 WallDistance
 MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
                     const ParallelFor & parallelFor)
@@ -69,7 +35,7 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
   }
   std::vector<Sums> sumsOfWall(walls.walls.size());
   RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
-    const PlacesOfWall places(faces.Begin(w), faces.End(w));
+    const PlaceTree places(faces.Begin(w), faces.End(w));
     for (std::size_t t = first[w]; t < first[w + 1]; ++t)
     {
       const auto &  triangle = walls.triangles[t];

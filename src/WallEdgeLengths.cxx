@@ -22,9 +22,9 @@ AreasOfWalls(const WallMesh & mesh)
   std::vector<double> areas(mesh.walls.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const Point & a = mesh.points[mesh.triangles[t][0]];
+    const auto & triangle = mesh.triangles[t];
     areas[mesh.wallOfTriangle[t]] +=
-      0.5 * Norm(Cross(mesh.points[mesh.triangles[t][1]] - a, mesh.points[mesh.triangles[t][2]] - a));
+      TriangleArea(mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]);
   }
   return areas;
 }

@@ -8,8 +8,10 @@
 
 #include "TissueTessellationCore/CornerFitting.h"
 #include "TissueTessellationCore/CrossingGuard.h"
+#include "TissueTessellationCore/CrossingWalls.h"
 #include "TissueTessellationCore/DualMesh.h"
 #include "TissueTessellationCore/LineSubdivision.h"
+#include "TissueTessellationCore/OutlineTriangulation.h"
 #include "TissueTessellationCore/TriangleImprovement.h"
 #include "TissueTessellationCore/Untangling.h"
 #include "TissueTessellationCore/Vector.h"
@@ -19,10 +21,7 @@
 #include "TissueTessellationCore/WallRemeshing.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <numeric>
-#include <set>
 
 namespace tissue
 {
@@ -40,51 +39,13 @@ constexpr int             LastVolumeSteps = 6;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
-/** Few walls, at least one of each pair that crosses, none of `fixed` unless both are: those that cross most come
- * first.
- */
-std::vector<WallId>
-FewestCrossingWalls(const WallMesh & mesh, const std::set<WallId> & fixed, const ParallelFor & parallelFor)
-{
-  std::map<WallId, std::set<WallId>> partners;
-  for (const TrianglePair & pair : FindCrossings(mesh, parallelFor))
-  {
-    const WallId a = mesh.wallOfTriangle[pair[0]];
-    const WallId b = mesh.wallOfTriangle[pair[1]];
-    if (fixed.count(a) == 0)
-    {
-      partners[a].insert(b);
-    }
-    if (fixed.count(b) == 0)
-    {
-      partners[b].insert(a);
-    }
-  }
-  std::vector<WallId> walls;
-  while (!partners.empty())
-  {
-    const auto   most = std::max_element(partners.begin(), partners.end(), [](const auto & one, const auto & other) {
-      return one.second.size() < other.second.size();
-    });
-    const WallId wall = most->first;
-    walls.push_back(wall);
-    partners.erase(most);
-    for (auto at = partners.begin(); at != partners.end();)
-    {
-      at->second.erase(wall);
-      at = at->second.empty() ? partners.erase(at) : std::next(at);
-    }
-  }
-  return walls;
-}
-
 double
 AreaOf(const WallMesh & mesh)
 {
   double area = 0.0;
   for (const auto & t : mesh.triangles)
   {
-    area += 0.5 * Norm(Cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]));
+    area += TriangleArea(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   }
   return area;
 }
@@ -95,6 +56,7 @@ public:
   Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor,
          const ProgressFunction & progress)
     : m_Junctions(junctions)
+    , m_Volume(volume)
     , m_Field(volume)
     , m_ParallelFor(parallelFor)
     , m_Progress(progress)
@@ -110,7 +72,11 @@ public:
   MakeStar(const AdjacencyComplex & complex, WallFittingStatistics & statistics)
   {
     std::vector<std::size_t> unfitted;
-    WallMesh mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
+    WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
+    const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
+    const double      triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
+    m_Faces = CollectImageFaces(m_Volume, mesh.walls);
+    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea / std::sqrt(3.0)), m_ParallelFor);
     const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
     statistics.unfittedCorners = static_cast<std::int64_t>(unfitted.size());
     statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
@@ -124,7 +90,6 @@ public:
     statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
     statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
     statistics.untangledPairs -= statistics.crossingPairs;
-    const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
     this->LiftCenters(mesh);
     return mesh;
@@ -140,28 +105,23 @@ public:
   }
 
   void
-  FitRemeshed(WallMesh & mesh, const LabelVolume & volume, double trianglesPerCell, WallFittingStatistics & statistics)
+  FitRemeshed(WallMesh & mesh, double trianglesPerCell, WallFittingStatistics & statistics)
   {
-    const double        wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
-    const ImagePlaces   faces = CollectImageFaces(volume, mesh.walls);
-    std::vector<double> lengths;
-    double              area = 0.0;
-    double              done = 0.0;
+    const double wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
+    double       done = 0.0;
     const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
     Report(m_Progress, StarShare);
-    for (const int rounds : RoundsPerMeshing)
+    std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
+    double              area = AreaOf(mesh);
+    WallProjection      projection(mesh, m_Volume, m_Field, m_Faces, lengths, m_Anchors);
+    for (std::size_t meshing = 0; meshing < std::size(RoundsPerMeshing); ++meshing)
     {
-      if (lengths.empty())
-      {
-        lengths = this->RemeshStar(mesh, wanted, statistics);
-        area = AreaOf(mesh);
-      }
-      else
+      if (meshing > 0)
       {
         this->RemeshAgain(mesh, wanted, lengths, area);
+        projection.SetWalls(mesh, lengths);
       }
-      const WallProjection projection(mesh, volume, m_Field, faces, lengths, m_Anchors);
-      for (int round = 0; round < rounds; ++round)
+      for (int round = 0; round < RoundsPerMeshing[meshing]; ++round)
       {
         const std::vector<Point> before = mesh.points;
         projection.Move(mesh, m_ParallelFor);
@@ -184,10 +144,14 @@ private:
   LiftCenters(WallMesh & mesh) const
   {
     const std::vector<Point> before = mesh.points;
-    const std::size_t        first = mesh.points.size() - mesh.walls.size();
-    for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-      VertexPair key = mesh.walls[w].cells;
+      const PointId center = mesh.triangles[t][0];
+      if (mesh.numberOfCells[center] != CellsWithinWall)
+      {
+        continue; // It has none.
+      }
+      VertexPair key = mesh.walls[mesh.wallOfTriangle[t]].cells;
       std::sort(key.begin(), key.end());
       const auto at = std::lower_bound(m_Junctions.walls.begin(),
                                        m_Junctions.walls.end(),
@@ -195,7 +159,7 @@ private:
                                        [](const Wall & wall, const VertexPair & k) { return wall.cells < k; });
       if (at != m_Junctions.walls.end() && at->cells == key)
       {
-        mesh.points[first + w] = at->center;
+        mesh.points[center] = at->center;
       }
     }
     StepBackFromCrossings(mesh, before, LiftShares, m_ParallelFor);
@@ -216,7 +180,8 @@ private:
     WallMesh                  star = mesh;
     const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_ParallelFor);
     SubdivideLines(star, lengths);
-    statistics.starWalls = this->PutBackCrossingWalls(mesh, star);
+    SubdivideWalls(star, lengths, m_ParallelFor);
+    statistics.starWalls = MendCrossingWalls(mesh, star, m_ParallelFor);
     return lengths;
   }
 
@@ -233,31 +198,16 @@ private:
     }
     area = AreaOf(mesh);
     RemeshWalls(mesh, lengths, m_ParallelFor);
-    this->PutBackCrossingWalls(mesh, old);
-  }
-
-  /** Walls that cross get their old triangles back, until none does. */
-  std::int64_t
-  PutBackCrossingWalls(WallMesh & mesh, const WallMesh & old) const
-  {
-    std::set<WallId> putBack;
-    while (true)
-    {
-      const std::vector<WallId> walls = FewestCrossingWalls(mesh, putBack, m_ParallelFor);
-      if (walls.empty())
-      {
-        return static_cast<std::int64_t>(putBack.size());
-      }
-      putBack.insert(walls.begin(), walls.end());
-      ReplaceWalls(mesh, old, walls);
-    }
+    MendCrossingWalls(mesh, old, m_ParallelFor);
   }
 
   const JunctionSet &      m_Junctions;
+  const LabelVolume &      m_Volume;
   IndicatorField           m_Field;
   const ParallelFor &      m_ParallelFor;
   const ProgressFunction & m_Progress;
   std::vector<double>      m_Volumes;
+  ImagePlaces              m_Faces{ 0, {} };
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
 };
@@ -274,7 +224,7 @@ FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const 
   WallMesh                mesh = fitter.MakeStar(complex, s);
   if (trianglesPerCell > 0.0)
   {
-    fitter.FitRemeshed(mesh, volume, trianglesPerCell, s);
+    fitter.FitRemeshed(mesh, trianglesPerCell, s);
   }
   else
   {

@@ -76,6 +76,30 @@ CutOutWalls(const WallMesh & mesh)
   return pieces;
 }
 
+WallPatch
+MakePatch(const WallMesh & mesh, const WallPiece & piece)
+{
+  std::vector<Point> points;
+  points.reserve(piece.outline.size() + piece.interior.size());
+  for (const PointId p : piece.outline)
+  {
+    points.push_back(mesh.points[p]);
+  }
+  points.insert(points.end(), piece.interior.begin(), piece.interior.end());
+  return WallPatch(std::move(points), piece.triangles, static_cast<WallPatch::Vertex>(piece.outline.size()));
+}
+
+void
+TakePatch(const WallPatch & patch, WallPiece & piece)
+{
+  piece.triangles = patch.Triangles();
+  piece.interior.clear();
+  for (WallPatch::Vertex v = patch.OutlineSize(); v < patch.EndOfVertices(); ++v)
+  {
+    piece.interior.push_back(patch.PointAt(v));
+  }
+}
+
 WallMesh
 JoinWallPieces(const WallMesh & mesh, const std::vector<WallPiece> & pieces)
 {

@@ -104,32 +104,16 @@ WallProjection::WallProjection(const WallMesh & mesh, const LabelVolume & volume
                                const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                                const std::vector<Point> & corners)
   : m_Field(field)
+  , m_Faces(faces)
   , m_Corners(corners)
-  , m_Lines(0, {})
-  , m_Groups(mesh.walls.size())
+  , m_LinePlaces(0, {})
 {
-  std::vector<unsigned char> isDone(mesh.points.size(), 0);
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
-  {
-    const VertexPair & cells = mesh.walls[w].cells;
-    m_Groups[w] = { { { cells[0], cells[1], -1, -1 } }, 2, edgeLengths[w], {}, faces.Begin(w), faces.End(w) };
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    for (const PointId p : mesh.triangles[t])
-    {
-      if (mesh.numberOfCells[p] == CellsWithinWall && isDone[p] == 0)
-      {
-        isDone[p] = 1;
-        m_Groups[mesh.wallOfTriangle[t]].points.push_back(p);
-      }
-    }
-  }
-  this->CollectLines(mesh, volume, edgeLengths);
+  this->CollectLines(mesh, volume);
+  this->SetWalls(mesh, edgeLengths);
 }
 
 void
-WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume, const std::vector<double> & edgeLengths)
+WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
 {
   std::map<VertexTriple, std::vector<PointId>> pointsOf;
   for (const auto & [p, cells] : CellsOfLinePoints(mesh))
@@ -141,20 +125,45 @@ WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume, 
   {
     lines.push_back(line.first);
   }
-  m_Lines = CollectImageLines(volume, lines);
-  std::map<VertexPair, double> lengthOf;
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
-  {
-    VertexPair cells = mesh.walls[w].cells;
-    std::sort(cells.begin(), cells.end());
-    lengthOf[cells] = edgeLengths[w];
-  }
+  m_LinePlaces = CollectImageLines(volume, lines);
   for (std::size_t l = 0; l < lines.size(); ++l)
   {
     const VertexTriple & c = lines[l];
-    const double         length =
+    m_Lines.push_back(
+      { { { c[0], c[1], c[2], -1 } }, 3, 0.0, pointsOf[c], m_LinePlaces.Begin(l), m_LinePlaces.End(l) });
+  }
+}
+
+void
+WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  std::map<VertexPair, double> lengthOf;
+  m_Groups.assign(mesh.walls.size(), {});
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    VertexPair cells = mesh.walls[w].cells;
+    m_Groups[w] = { { { cells[0], cells[1], -1, -1 } }, 2, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w) };
+    std::sort(cells.begin(), cells.end());
+    lengthOf[cells] = edgeLengths[w];
+  }
+  std::vector<unsigned char> isDone(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
+    {
+      if (mesh.numberOfCells[p] == CellsWithinWall && isDone[p] == 0)
+      {
+        isDone[p] = 1;
+        m_Groups[mesh.wallOfTriangle[t]].points.push_back(p);
+      }
+    }
+  }
+  for (Group & line : m_Lines)
+  {
+    const VertexQuadruple & c = line.cells;
+    line.edgeLength =
       std::min({ lengthOf[{ { c[0], c[1] } }], lengthOf[{ { c[0], c[2] } }], lengthOf[{ { c[1], c[2] } }] });
-    m_Groups.push_back({ { { c[0], c[1], c[2], -1 } }, 3, length, pointsOf[c], m_Lines.Begin(l), m_Lines.End(l) });
+    m_Groups.push_back(line);
   }
 }
 

@@ -9,29 +9,19 @@
 #include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/PatchMeasures.h"
 #include "TissueTessellationCore/PatchRemesher.h"
-#include "TissueTessellationCore/WallLines.h"
+#include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
+#include "TissueTessellationCore/WallLines.h"
 #include "TissueTessellationCore/WallPieces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <queue>
 
 namespace tissue
 {
 namespace
 {
-WallPatch
-MakePatch(const WallMesh & mesh, const WallPiece & piece)
-{
-  std::vector<Point> points;
-  points.reserve(piece.outline.size() + piece.interior.size());
-  for (const PointId p : piece.outline)
-  {
-    points.push_back(mesh.points[p]);
-  }
-  points.insert(points.end(), piece.interior.begin(), piece.interior.end());
-  return WallPatch(std::move(points), piece.triangles, static_cast<WallPatch::Vertex>(piece.outline.size()));
-}
-
 void
 RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLength, WallPiece & piece)
 {
@@ -40,13 +30,81 @@ RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLen
     return wallsAt.CountCommon(piece.outline[a], piece.outline[b]) == 1;
   });
   remesher.Remesh(NumberOfInteriorPoints(AreaOf(patch), edgeLength, static_cast<int>(piece.outline.size())));
-  const WallPatch remeshed = remesher.TakePatch();
-  piece.triangles = remeshed.Triangles();
-  piece.interior.clear();
-  for (WallPatch::Vertex v = remeshed.OutlineSize(); v < remeshed.EndOfVertices(); ++v)
+  TakePatch(remesher.TakePatch(), piece);
+}
+
+/** The edges of a patch that can be split, longest first. */
+class LongestEdges
+{
+public:
+  using HalfEdge = WallPatch::HalfEdge;
+
+  explicit LongestEdges(const WallPatch & patch)
+    : m_Patch(patch)
   {
-    piece.interior.push_back(remeshed.PointAt(v));
+    for (HalfEdge h = 0; h < patch.EndOfHalfEdges(); ++h)
+    {
+      this->Push(h);
+    }
   }
+
+  void
+  Push(HalfEdge h)
+  {
+    if (m_Patch.Twin(h) > h)
+    {
+      m_Edges.emplace(this->LengthOf(h), h);
+    }
+  }
+
+  /** WallPatch::None where there is none left. */
+  HalfEdge
+  Pop()
+  {
+    while (!m_Edges.empty())
+    {
+      const auto [length, h] = m_Edges.top();
+      m_Edges.pop();
+      // A half-edge that was split goes on as a shorter one.
+      if (length == this->LengthOf(h) && m_Patch.Twin(h) > h)
+      {
+        return h;
+      }
+    }
+    return WallPatch::None;
+  }
+
+private:
+  double
+  LengthOf(HalfEdge h) const
+  {
+    return Distance(m_Patch.PointAt(m_Patch.From(h)), m_Patch.PointAt(m_Patch.To(h)));
+  }
+
+  const WallPatch &                                m_Patch;
+  std::priority_queue<std::pair<double, HalfEdge>> m_Edges;
+};
+
+void
+SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
+{
+  WallPatch    patch = MakePatch(mesh, piece);
+  LongestEdges edges(patch);
+  int          missing = NumberOfInteriorPoints(AreaOf(patch), edgeLength, static_cast<int>(piece.outline.size())) -
+                patch.NumberOfInteriorVertices();
+  for (WallPatch::HalfEdge h = 0; missing > 0 && (h = edges.Pop()) != WallPatch::None; --missing)
+  {
+    const Point             middle = 0.5 * (patch.PointAt(patch.From(h)) + patch.PointAt(patch.To(h)));
+    const WallPatch::Vertex v = patch.Split(h, middle);
+    patch.ForEachAround(v, [&](WallPatch::HalfEdge around) {
+      for (const WallPatch::HalfEdge side : { around, WallPatch::Next(around) })
+      {
+        edges.Push(std::min(side, patch.Twin(side)));
+      }
+    });
+  }
+  patch.Compact();
+  TakePatch(patch, piece);
 }
 } // namespace
 
@@ -61,6 +119,15 @@ RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Para
     pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
     RemeshPiece(mesh, wallsAt, edgeLengths[w], pieces[w]);
   });
+  mesh = JoinWallPieces(mesh, pieces);
+}
+
+void
+SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+{
+  RequireEdgeLengths(mesh, edgeLengths);
+  std::vector<WallPiece> pieces = CutOutWalls(mesh);
+  RunFor(parallelFor, pieces.size(), [&](std::size_t w) { SubdividePiece(mesh, edgeLengths[w], pieces[w]); });
   mesh = JoinWallPieces(mesh, pieces);
 }
 

@@ -15,15 +15,14 @@ namespace tissue
 /** Two triangles, the smaller index first. */
 using TrianglePair = std::array<std::int32_t, 2>;
 
-/** Pairs of triangles whose boxes, about their points here and there, overlap; ascending. With `movedOnly` only pairs
- * with a triangle that has a point at two places. */
-std::vector<TrianglePair>
-CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-                  bool movedOnly, const ParallelFor & parallelFor = ParallelFor());
-
 /** All pairs of triangles that cross (TriangleCrossing.h), ascending. */
 std::vector<TrianglePair>
 FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor = ParallelFor());
+
+/** Those of them with a triangle of the given walls. */
+std::vector<TrianglePair>
+FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls,
+                     const ParallelFor & parallelFor = ParallelFor());
 
 /** \brief Takes back as much of a move of the mesh's points as makes triangles cross.
  *

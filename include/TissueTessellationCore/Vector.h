@@ -56,6 +56,12 @@ Distance(const Point & a, const Point & b)
   return Norm(b - a);
 }
 
+inline double
+TriangleArea(const Point & a, const Point & b, const Point & c)
+{
+  return 0.5 * Norm(Cross(b - a, c - a));
+}
+
 /** The vector at length 1; the zero vector stays zero. */
 inline Point
 Normalized(const Point & a)

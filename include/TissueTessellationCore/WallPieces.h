@@ -8,6 +8,7 @@
 #define TissueTessellationCore_WallPieces_h
 
 #include "TissueTessellationCore/WallMesh.h"
+#include "TissueTessellationCore/WallPatch.h"
 
 #include <vector>
 
@@ -35,6 +36,14 @@ CutOutWall(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTria
  * \throws std::invalid_argument as FirstTrianglesOfWalls() does. */
 std::vector<WallPiece>
 CutOutWalls(const WallMesh & mesh);
+
+/** The piece of a wall of `mesh` with positions, to be changed; its points keep their numbers. */
+WallPatch
+MakePatch(const WallMesh & mesh, const WallPiece & piece);
+
+/** Gives the piece the triangles of a compact patch and the points within it. */
+void
+TakePatch(const WallPatch & patch, WallPiece & piece);
 
 /** The pieces in the place of the walls of `mesh`, of which the points on lines and at corners remain, and come first.
  */

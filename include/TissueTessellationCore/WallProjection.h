@@ -28,6 +28,10 @@ public:
                  const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                  const std::vector<Point> & corners);
 
+  /** After the walls were remeshed within their lines, whose points keep their numbers. */
+  void
+  SetWalls(const WallMesh & mesh, const std::vector<double> & edgeLengths);
+
   /** The mesh may have changed in its points alone. */
   void
   Move(WallMesh & mesh, const ParallelFor & parallelFor = ParallelFor()) const;
@@ -45,14 +49,17 @@ private:
   };
 
   void
-  CollectLines(const WallMesh & mesh, const LabelVolume & volume, const std::vector<double> & edgeLengths);
+  CollectLines(const WallMesh & mesh, const LabelVolume & volume);
   void
   MoveGroup(const Group & group, WallMesh & mesh) const;
 
   const IndicatorField &   m_Field;
+  const ImagePlaces &      m_Faces;
   const std::vector<Point> m_Corners;
-  ImagePlaces              m_Lines;
-  std::vector<Group>       m_Groups;
+  ImagePlaces              m_LinePlaces;
+  std::vector<Group>       m_Lines;
+  /** Of the walls, then of the lines. */
+  std::vector<Group> m_Groups;
 };
 } // namespace tissue
 

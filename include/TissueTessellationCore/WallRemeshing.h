@@ -28,6 +28,14 @@ namespace tissue
 void
 RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor = ParallelFor());
 
+/** \brief Splits the longest edges within each wall at their middles until it has as many points as RemeshWalls() would
+ * give it.
+ *
+ * The surface stays as it is, so that a mesh that does not cross itself still does not. Otherwise as RemeshWalls(). */
+void
+SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths,
+               const ParallelFor & parallelFor = ParallelFor());
+
 /** \brief SubdivideLines(), then RemeshWalls(), to a wanted number of triangles in all; returns the edge lengths used.
  *
  * The lengths are those of ChooseEdgeLengths(), corrected until the number is within 2 % of the wanted one, at most
