@@ -104,7 +104,7 @@ public:
   itkGetConstMacro(RelativeThreshold, double);
 
   /** The greatest share of the smaller of two balls that they may have in common, 0 .. 0.9. Default 0.5. */
-  itkSetClampMacro(MaximumOverlap, double, 0.0, 0.9);
+  itkSetClampMacro(MaximumOverlap, double, 0.0, 1.0);
   itkGetConstMacro(MaximumOverlap, double);
 
   /** The greatest ratio of two eigenvalues of the Hessian at a blob; 0 keeps all. Default 10. */
