@@ -38,8 +38,8 @@ constexpr std::size_t LeastInnerCells = 20;
 double
 RelaxationOf(double shift)
 {
-  constexpr double shiftOfExactPoints = 0.125;
-  constexpr double growth = 10.0;
+  constexpr double shiftOfExactPoints = 0.12;
+  constexpr double growth = 15.0;
   return std::clamp(growth * (shift - shiftOfExactPoints), 0.0, 1.0);
 }
 
