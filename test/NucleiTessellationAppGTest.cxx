@@ -216,16 +216,16 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
   refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
-  refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among the 3 columns" });
-  refuse(four + "1,2\n", { "bad.csv: line 6 has 2 columns, at least 3 are needed" });
-  refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 is no number" });
+  refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among 'a', 'b', 'c'" });
+  refuse(four + "1,2\n", { "bad.csv: line 6: there are 2 columns, at least 3 are needed" });
+  refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 ('y') is no number" });
   refuse(four + "1,2,\n", { "bad.csv: line 6" });
-  refuse(four + "1,nan,3\n", { "bad.csv: line 6: the coordinate in column 2 is nan, must be finite" });
-  refuse(four + "1,2,inf\n", { "bad.csv: line 6: the coordinate in column 3 is inf" });
+  refuse(four + "1,nan,3\n", { "bad.csv: line 6: 'nan' in column 2 ('y') must be finite" });
+  refuse(four + "1,2,inf\n", { "bad.csv: line 6: 'inf' in column 3 ('z') must be finite" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", { "bad.csv: ", "coplanar" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,0,0\n5,0,0\n2,1,0\n", { "bad.csv: There are 3 points" });
   refuse("Label,x,y,z\n1,0,0,0\n1,5,0,0\n", { "bad.csv: line 3 has the label 1 of line 2" });
-  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: the label '1.5' is no whole number above 0" });
+  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: '1.5' in column 1 ('Label') is no whole number above 0" });
   refuse("# CoordinateSystem = XYZ\n", { "bad.fcsv: line 1: the coordinate system 'XYZ'" }, "bad.fcsv");
   refuse("not XML", { "bad.vtp: ", "no VTK file of polygonal data" }, "bad.vtp");
 }
