@@ -96,6 +96,38 @@ TEST_F(NucleiTessellationApp, PaperPresetMakesTheComplexMoreRegular)
   EXPECT_EQ(report["options"]["corners"], "lifted");
 }
 
+TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
+{
+  const auto  alone = this->RunAndReport("points.csv walls.vtp --preset paper");
+  const auto  input = alone["input"];
+  std::size_t number = 0;
+  for (const char * ofImage :
+       { "pixelType", "size", "spacing", "voids", "walls", "tripleLines", "junctions", "blocksOfMoreThanFourCells" })
+  {
+    number += input.contains(ofImage) && input[ofImage].is_null() ? 1 : 0;
+  }
+  EXPECT_EQ(number, 8u) << input;
+  for (const char * stage : { "delaunay", "cleaned", "optimized" })
+  {
+    EXPECT_TRUE(alone["stages"][stage]["adjacency2"].is_null());
+    EXPECT_TRUE(alone["stages"][stage]["adjacency4"].is_null());
+    EXPECT_GT(alone["stages"][stage]["eccentricity"], 0.0);
+  }
+  EXPECT_EQ(m_Output.find("points.csv: " + std::to_string(m_Points.size()) + " points; " +
+                          std::to_string(m_Points.size()) + " cells, exterior label 0\n"),
+            0u)
+    << m_Output;
+  for (const char * ofImage : { "voxels", "adjacency", "image" })
+  {
+    EXPECT_EQ(m_Output.find(ofImage), std::string::npos) << m_Output;
+  }
+  const auto fitted = this->RunAndReport("points.csv walls.vtp --refinement 0");
+  EXPECT_GT(fitted["stages"]["optimized"]["adjacency4"], 0.5);
+  EXPECT_GT(fitted["input"]["walls"], 0);
+  EXPECT_NE(m_Output.find(" voxels of "), std::string::npos) << m_Output;
+  EXPECT_NE(m_Output.find("adjacency4"), std::string::npos) << m_Output;
+}
+
 TEST_F(NucleiTessellationApp, LabelsAreThoseOfTheFileOrOfTheImage)
 {
   ASSERT_EQ(this->Run("points.csv a.vtp --refinement 0 --box tissue.mha"), 0) << m_Errors;
