@@ -6,11 +6,13 @@
  *=========================================================================*/
 #include "BlobPicture.h"
 
+#include "VTKFiles.h"
+
 #include <itkContinuousIndex.h>
-#include <itkImageFileWriter.h>
 #include <itkMaximumProjectionImageFilter.h>
-#include <itkPNGImageIO.h>
 #include <itkRGBPixel.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,15 +138,34 @@ private:
   Picture *           m_Picture;
   int                 m_FirstRow;
 };
+
+void
+Write(const Picture * picture, const std::string & path)
+{
+  const auto                 size = picture->GetLargestPossibleRegion().GetSize();
+  const vtkNew<vtkImageData> image;
+  image->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (std::size_t y = 0; y < size[1]; ++y)
+  {
+    // VTK's first row is the lowest.
+    auto * const row = static_cast<Color *>(image->GetScalarPointer(0, static_cast<int>(size[1] - 1 - y), 0));
+    std::copy_n(picture->GetBufferPointer() + y * size[0], size[0], row);
+  }
+  WritePNG(image, path);
+}
 } // namespace
 
 void
 WriteBlobPicture(const ScalarImage * image, const PointTable & blobs, const std::string & path)
 {
-  const auto   size = image->GetLargestPossibleRegion().GetSize();
-  const double width = image->GetSpacing()[0] * static_cast<double>(size[0]);
-  const double height = image->GetSpacing()[1] * static_cast<double>(size[1]);
-  const double pixelsPerUnit = PanelSize / std::max(width, height);
+  const auto size = image->GetLargestPossibleRegion().GetSize();
+  double     longest = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    longest = std::max(longest, image->GetSpacing()[axis] * static_cast<double>(size[axis]));
+  }
+  const double pixelsPerUnit = PanelSize / longest;
   int          rows = 0;
   for (const Panel & panel : Panels)
   {
@@ -167,10 +188,6 @@ WriteBlobPicture(const ScalarImage * image, const PointTable & blobs, const std:
     }
     firstRow += PanelDrawing::Length(image, panel.down, pixelsPerUnit);
   }
-  const auto writer = itk::ImageFileWriter<Picture>::New();
-  writer->SetInput(picture);
-  writer->SetImageIO(itk::PNGImageIO::New());
-  writer->SetFileName(path);
-  writer->Update();
+  Write(picture, path);
 }
 } // namespace tissue

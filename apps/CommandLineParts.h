@@ -7,20 +7,13 @@
 #ifndef CommandLineParts_h
 #define CommandLineParts_h
 
+#include "OptionChecks.h"
 #include "TissueTessellationOptions.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace tissue
 {
-/** A range that, unlike CLI11's, is printed short and refuses what is no number. */
-CLI::Validator
-InRange(double least, double most);
-
-CLI::Validator
-EndsIn(const std::string & extension);
-
 /** The mesh of the walls, required, and all further outputs. */
 void
 AddOutputOptions(CLI::App & app, TissueTessellationOptions & options);
@@ -43,11 +36,6 @@ AddRunOptions(CLI::App & app, TissueTessellationOptions & options);
  * options that override it are read. */
 void
 ApplyPreset(int argc, char ** argv, const ReconstructionParameters & paper, TissueTessellationOptions & options);
-
-/** Parses the command line; false after --help and --version, which have then been answered.
- * \throws std::runtime_error that names the option and what is wrong with it. */
-bool
-Parse(CLI::App & app, int argc, char ** argv);
 
 /** Whether an option with a value is on the command line: what else is there may depend on it. */
 bool

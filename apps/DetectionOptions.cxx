@@ -6,14 +6,14 @@
  *=========================================================================*/
 #include "DetectionOptions.h"
 
-#include <limits>
+#include "OptionChecks.h"
 
 namespace tissue
 {
 void
 AddDetectionOptions(CLI::App & app, DetectionOptions & options)
 {
-  const auto positive = CLI::Range(0.0, std::numeric_limits<double>::max());
+  const auto positive = InRange(0.0, 1e12);
   app
     .add_option("--minimumScale",
                 options.minimumScale,
@@ -26,7 +26,7 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
     ->check(positive);
   app.add_option("--stepsPerOctave", options.stepsPerOctave, "Scales for each doubling")
     ->group("Detection")
-    ->check(CLI::Range(1, 64));
+    ->check(InRange(1, 64));
   app.add_option("--threshold", options.threshold, "Least response, in the image's units; 0: see the next")
     ->group("Detection")
     ->check(positive);
@@ -35,13 +35,13 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
                 options.relativeThreshold,
                 "Least response relative to the greatest; 0: found from all responses")
     ->group("Detection")
-    ->check(CLI::Range(0.0, 0.999));
+    ->check(InRange(0.0, 0.999));
   app
     .add_option("--maximumOverlap",
                 options.maximumOverlap,
                 "Greatest share of the smaller of two nuclei that they have in common")
     ->group("Detection")
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(InRange(0.0, 1.0));
   app
     .add_option("--maximumHessianRatio",
                 options.maximumHessianRatio,

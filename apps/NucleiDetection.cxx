@@ -8,19 +8,21 @@
 
 #include "BlobPicture.h"
 #include "DetectionOptions.h"
+#include "OptionChecks.h"
 #include "OutputFiles.h"
 #include "PointOutput.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
 #include "ScalarImageInput.h"
 
-#include <CLI/CLI.hpp>
 #include <itkMultiThreaderBase.h>
 
 #include <array>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -41,32 +43,45 @@ void
 AddOptions(CLI::App & app, Options & options)
 {
   app.option_defaults()->always_capture_default();
+  app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
   app.add_option("image", options.image, "3-D image of one component, of any type that ITK reads")->required();
   app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
-  app.add_option(
-    "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles");
+  app
+    .add_option(
+      "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles")
+    ->check(EndsIn(".png"));
   AddDetectionOptions(app, options.detection);
-  app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(CLI::Range(1e-9, 1e9));
-  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
-  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
+  app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(InRange(1e-12, 1e12));
+  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
+  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors and warnings");
+}
+
+/** Throws for everything that would make the outputs impossible, before the work. */
+void
+CheckOutputs(const Options & options)
+{
+  for (const std::string & path : { options.points, options.picture })
+  {
+    if (!path.empty())
+    {
+      OutputFiles::RequireWritable(path);
+      OutputFiles::RequireNotInput(path, options.image);
+    }
+  }
 }
 
 void
 Run(const Options & options)
 {
   const std::string format = RequirePointFormat(options.points);
-  OutputFiles::RequireWritable(options.points);
-  if (!options.picture.empty())
-  {
-    OutputFiles::RequireWritable(options.picture);
-  }
+  CheckOutputs(options);
   ProgressBar progress(options.isQuiet);
   progress.Begin("Reading");
   const ScalarImageFile      file = ReadScalarImage(options.image, options.spacing);
   const ScalarImage::Pointer image = file.image;
-  const auto                 detection = DetectNuclei(image, options.detection, progress);
-  const auto * const         blobs = detection->GetOutput();
-  PointTable                 table;
+  const auto detection = WithFileName(options.image, [&] { return DetectNuclei(image, options.detection, progress); });
+  const auto * const blobs = detection->GetOutput();
+  PointTable         table;
   table.columns = { { "label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
   for (itk::SizeValueType i = 0; i < blobs->GetNumberOfPoints(); ++i)
   {
@@ -88,7 +103,16 @@ Run(const Options & options)
   }
   files.Commit();
   progress.End();
-  for (const std::string & warning : file.warnings)
+  std::vector<std::string> warnings = file.warnings;
+  if (table.points.empty())
+  {
+    std::ostringstream message;
+    message << options.image << ": no nuclei of scales from " << detection->GetUsedMinimumScale() << " to "
+            << detection->GetUsedMaximumScale() << " with a response of " << detection->GetUsedThreshold()
+            << " or more";
+    warnings.push_back(message.str());
+  }
+  for (const std::string & warning : warnings)
   {
     std::cerr << "NucleiDetection: warning: " << warning << '\n';
   }
@@ -97,10 +121,6 @@ Run(const Options & options)
     std::cout << options.points << ": " << table.points.size() << " nuclei of scales from "
               << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale() << ", responses of "
               << detection->GetUsedThreshold() << " and more\n";
-    if (table.points.empty())
-    {
-      std::cerr << "NucleiDetection: warning: no nuclei of these scales\n";
-    }
   }
 }
 } // namespace
@@ -108,18 +128,14 @@ Run(const Options & options)
 int
 main(int argc, char * argv[])
 {
-  Options  options;
-  CLI::App app("Finds nuclei, or other blobs, in a 3-D image, by the maxima of its scale space.");
-  AddOptions(app, options);
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError & error)
-  {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  return RunProgram("NucleiDetection", [&options] {
+  return RunProgram("NucleiDetection", [&] {
+    Options  options;
+    CLI::App app("Finds nuclei, or other blobs, in a 3-D image, by the maxima of its scale space.", "NucleiDetection");
+    AddOptions(app, options);
+    if (!Parse(app, argc, argv))
+    {
+      return;
+    }
     if (options.threads > 0)
     {
       itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "OutputFiles.h"
 
+#include "ImageDataFiles.h"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -111,6 +113,13 @@ OutputFiles::RequireNotInput(const std::string & path, const std::string & input
   if (fs::equivalent(path, input, isOther))
   {
     Refuse(path, "it is the input");
+  }
+  for (const std::string & file : FindImageDataFiles(input))
+  {
+    if (fs::equivalent(path, file, isOther))
+    {
+      Refuse(path, "it holds the voxels of the input '" + input + "'");
+    }
   }
 }
 

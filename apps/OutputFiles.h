@@ -34,7 +34,7 @@ public:
   static void
   RequireWritable(const std::string & path);
 
-  /** Throws where the path is that of an input, which would be lost. */
+  /** Throws where the path is that of an input, or of the voxels of an image of several files, which would be lost. */
   static void
   RequireNotInput(const std::string & path, const std::string & input);
 

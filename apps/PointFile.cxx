@@ -6,20 +6,21 @@
  *=========================================================================*/
 #include "PointFile.h"
 
+#include "DelimitedText.h"
+#include "PointColumns.h"
+
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace tissue
@@ -29,209 +30,201 @@ namespace
 using Fields = std::vector<std::string>;
 
 std::string
-Lower(std::string text)
+PlaceOf(std::size_t line)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+  return "line " + std::to_string(line);
 }
 
-std::string
-Trimmed(const std::string & text)
+/** What `work` returns; its errors get the line before them. */
+template <typename TWork>
+auto
+AtLine(std::size_t line, const TWork & work)
 {
-  const char * const blanks = " \t\r\"";
-  const auto         begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-Fields
-Split(const std::string & line)
-{
-  const char separator = line.find(',') != std::string::npos ? ',' : line.find(';') != std::string::npos ? ';' : '\t';
-  Fields     fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, separator);)
+  try
   {
-    fields.push_back(Trimmed(field));
+    return work();
   }
-  return fields;
+  catch (const std::runtime_error & error)
+  {
+    throw std::runtime_error(PlaceOf(line) + ": " + error.what());
+  }
 }
 
-/** A whole text that is a number, also "nan" and "inf". */
-std::optional<double>
-ToNumber(const std::string & text)
+/** Adds the points of the lines of a table, which may have names for its columns. */
+class TableReader
 {
-  char *       end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return text.empty() || end != text.c_str() + text.size() ? std::nullopt : std::optional<double>(value);
-}
+public:
+  TableReader(const Fields & names, const PointColumns & columns)
+    : m_Names(names)
+    , m_Columns(columns)
+  {}
 
-/** Which field holds what. */
-struct Columns
-{
-  std::array<std::size_t, 3> coordinates = { { 0, 1, 2 } };
-  std::optional<std::size_t> label;
+  void
+  AddPoint(const DelimitedText::Record & record, PointFile & file) const
+  {
+    AtLine(record.line, [&] {
+      Point point{};
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = this->ReadCoordinate(record.fields, m_Columns.coordinates[axis]);
+      }
+      file.points.push_back(point);
+      file.places.push_back(PlaceOf(record.line));
+      if (m_Columns.label)
+      {
+        file.labels.push_back(this->ReadLabel(record.fields, *m_Columns.label));
+      }
+    });
+  }
+
+private:
+  static const std::string &
+  FieldAt(const Fields & fields, std::size_t column)
+  {
+    if (column >= fields.size())
+    {
+      throw std::runtime_error("there are " + std::to_string(fields.size()) + " columns, at least " +
+                               std::to_string(column + 1) + " are needed");
+    }
+    return fields[column];
+  }
+
+  [[noreturn]] void
+  Refuse(const std::string & text, std::size_t column, const std::string & why) const
+  {
+    throw std::runtime_error("'" + text + "' in column " + std::to_string(column + 1) +
+                             (column < m_Names.size() ? " ('" + m_Names[column] + "') " : " ") + why);
+  }
+
+  double
+  ReadCoordinate(const Fields & fields, std::size_t column) const
+  {
+    const std::string &         text = FieldAt(fields, column);
+    const std::optional<double> value = ToNumber(text);
+    if (!value)
+    {
+      this->Refuse(text, column, "is no number");
+    }
+    if (!std::isfinite(*value))
+    {
+      this->Refuse(text, column, "must be finite");
+    }
+    return *value;
+  }
+
+  Label
+  ReadLabel(const Fields & fields, std::size_t column) const
+  {
+    const std::string & text = FieldAt(fields, column);
+    Label               label = 0;
+    const auto          result = std::from_chars(text.data(), text.data() + text.size(), label);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size() || label <= 0)
+    {
+      this->Refuse(text, column, "is no whole number above 0");
+    }
+    return label;
+  }
+
+  Fields       m_Names;
+  PointColumns m_Columns;
 };
 
-/** The column of an axis: its letter, its letter and a unit, or the letter of a centre. */
-bool
-IsAxis(const std::string & column, char axis)
+/** The reader of a table whose first line may hold the names of its columns. */
+TableReader
+MakeReader(const DelimitedText::Record & first, bool hasNames)
 {
-  const std::string name = Lower(column);
-  const bool        hasUnit = name.size() > 1 && name[0] == axis && !std::isalnum(static_cast<unsigned char>(name[1]));
-  return name == std::string(1, axis) || hasUnit || name == std::string("center") + axis ||
-         name == std::string("center_") + axis;
-}
-
-Columns
-FindColumns(const Fields & names, const std::string & place)
-{
-  Columns columns;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const char letter = "xyz"[axis];
-    const auto at =
-      std::find_if(names.begin(), names.end(), [letter](const auto & name) { return IsAxis(name, letter); });
-    if (at == names.end())
+  return AtLine(first.line, [&] {
+    if (hasNames)
     {
-      throw std::runtime_error(place + ": there is no column " + letter + " among the " + std::to_string(names.size()) +
-                               " columns, which must have x, y and z");
+      return TableReader(first.fields, FindPointColumns(first.fields));
     }
-    columns.coordinates[axis] = static_cast<std::size_t>(at - names.begin());
-  }
-  const auto label = std::find_if(names.begin(), names.end(), [](const auto & name) { return Lower(name) == "label"; });
-  if (label != names.end())
-  {
-    columns.label = static_cast<std::size_t>(label - names.begin());
-  }
-  return columns;
-}
-
-const std::string &
-FieldAt(const Fields & fields, std::size_t column, const std::string & place)
-{
-  if (column >= fields.size())
-  {
-    throw std::runtime_error(place + " has " + std::to_string(fields.size()) + " columns, at least " +
-                             std::to_string(column + 1) + " are needed");
-  }
-  return fields[column];
-}
-
-double
-CoordinateAt(const Fields & fields, std::size_t column, const std::string & place)
-{
-  const std::string &         text = FieldAt(fields, column, place);
-  const std::optional<double> value = ToNumber(text);
-  if (!value)
-  {
-    throw std::runtime_error(place + ": '" + text + "' in column " + std::to_string(column + 1) + " is no number");
-  }
-  if (!std::isfinite(*value))
-  {
-    throw std::runtime_error(place + ": the coordinate in column " + std::to_string(column + 1) + " is " + text +
-                             ", must be finite");
-  }
-  return *value;
-}
-
-Label
-LabelAt(const Fields & fields, std::size_t column, const std::string & place)
-{
-  const std::string & text = FieldAt(fields, column, place);
-  Label               label = 0;
-  const auto          result = std::from_chars(text.data(), text.data() + text.size(), label);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || label <= 0)
-  {
-    throw std::runtime_error(place + ": the label '" + text + "' is no whole number above 0");
-  }
-  return label;
-}
-
-void
-AddPoint(const Fields & fields, const Columns & columns, const std::string & place, PointFile & file)
-{
-  Point point{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    point[axis] = CoordinateAt(fields, columns.coordinates[axis], place);
-  }
-  file.points.push_back(point);
-  file.places.push_back(place);
-  if (columns.label)
-  {
-    file.labels.push_back(LabelAt(fields, *columns.label, place));
-  }
+    if (first.fields.size() != 3)
+    {
+      throw std::runtime_error("there are " + std::to_string(first.fields.size()) +
+                               " columns and no line of their names before, which only three, x, y and z, can do "
+                               "without");
+    }
+    return TableReader({}, PointColumns());
+  });
 }
 
 PointFile
 ReadCSV(std::istream & stream)
 {
-  PointFile              file;
-  std::optional<Columns> columns;
-  int                    number = 0;
-  for (std::string line; std::getline(stream, line);)
+  const DelimitedText text = ReadDelimitedText(stream);
+  PointFile           file;
+  if (text.records.empty())
   {
-    const std::string place = "line " + std::to_string(++number);
-    const Fields      fields = Split(line);
-    if (Trimmed(line).empty() || Trimmed(line)[0] == '#')
-    {
-      continue;
-    }
-    const bool isFirst = !columns;
-    if (isFirst)
-    {
-      const bool hasNames = std::none_of(fields.begin(), fields.end(), [](const auto & f) { return ToNumber(f); });
-      columns = hasNames ? FindColumns(fields, place) : Columns();
-      if (hasNames)
-      {
-        continue;
-      }
-    }
-    AddPoint(fields, *columns, place, file);
+    return file;
+  }
+  const Fields &    first = text.records.front().fields;
+  const bool        hasNames = std::none_of(first.begin(), first.end(), [](const auto & f) { return ToNumber(f); });
+  const TableReader reader = MakeReader(text.records.front(), hasNames);
+  for (std::size_t i = hasNames ? 1 : 0; i < text.records.size(); ++i)
+  {
+    reader.AddPoint(text.records[i], file);
   }
   return file;
+}
+
+/** Turns points from the system of that name into LPS. */
+void
+TurnIntoLPS(const std::string & system, PointFile & file)
+{
+  if (system == "LPS" || system == "1")
+  {
+    return;
+  }
+  if (system != "RAS" && system != "0")
+  {
+    throw std::runtime_error("the coordinate system '" + system + "' is none of LPS, 1, RAS, 0");
+  }
+  for (Point & point : file.points)
+  {
+    point = { { -point[0], -point[1], point[2] } };
+  }
 }
 
 /** Lines "id,x,y,z,...", after comments that tell the coordinate system. */
 PointFile
 ReadMarkups(std::istream & stream)
 {
-  PointFile file;
-  Columns   columns{ { { 1, 2, 3 } }, std::nullopt };
-  bool      isLPS = false;
-  int       number = 0;
-  for (std::string line; std::getline(stream, line);)
+  const DelimitedText    text = ReadDelimitedText(stream);
+  Fields                 names;
+  PointColumns           columns{ { { 1, 2, 3 } }, std::nullopt };
+  DelimitedText::Comment system{ "RAS", 0 };
+  for (const DelimitedText::Comment & comment : text.comments)
   {
-    const std::string place = "line " + std::to_string(++number);
-    const std::string text = Trimmed(line);
-    const auto        equals = text.find('=');
-    if (text.empty())
+    const auto        equals = std::min(comment.text.find('='), comment.text.size());
+    const std::string key = TrimBlanks(comment.text.substr(0, equals));
+    const std::string value = equals < comment.text.size() ? TrimBlanks(comment.text.substr(equals + 1)) : "";
+    if (key == "CoordinateSystem")
     {
-      continue;
+      system = { value, comment.line };
     }
-    if (text[0] != '#')
+    else if (key == "columns")
     {
-      AddPoint(Split(line), columns, place, file);
-    }
-    else if (text.find("CoordinateSystem") != std::string::npos && equals != std::string::npos)
-    {
-      const std::string system = Trimmed(text.substr(equals + 1));
-      if (system != "LPS" && system != "1" && system != "RAS" && system != "0")
-      {
-        throw std::runtime_error(place + ": the coordinate system '" + system + "' is none of LPS, 1, RAS, 0");
-      }
-      isLPS = system == "LPS" || system == "1";
-    }
-    else if (text.find("columns") != std::string::npos && equals != std::string::npos)
-    {
-      columns.coordinates = FindColumns(Split(text.substr(equals + 1)), place).coordinates;
+      names = SplitFields(value);
+      // Labels are names there.
+      columns.coordinates = AtLine(comment.line, [&] { return FindPointColumns(names).coordinates; });
     }
   }
-  for (Point & point : file.points)
+  PointFile         file;
+  const TableReader reader(names, columns);
+  for (const DelimitedText::Record & record : text.records)
   {
-    point = isLPS ? point : Point{ { -point[0], -point[1], point[2] } };
+    reader.AddPoint(record, file);
   }
+  AtLine(system.line, [&] { TurnIntoLPS(system.text, file); });
   return file;
+}
+
+/** The coordinate system that the data says, as Slicer and our own files do; LPS where it says none. */
+std::string
+SystemOf(vtkPolyData * data)
+{
+  auto * const space = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SPACE"));
+  return space != nullptr && space->GetNumberOfValues() > 0 ? space->GetValue(0) : "LPS";
 }
 
 PointFile
@@ -256,20 +249,28 @@ ReadPolyData(const std::string & path)
     Point point{};
     reader->GetOutput()->GetPoint(i, point.data());
     const std::string place = "point " + std::to_string(i);
-    if (!std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); }))
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      throw std::runtime_error(place + " has a coordinate that is not finite");
+      if (!std::isfinite(point[axis]))
+      {
+        throw std::runtime_error(place + ": its " + std::string(1, "xyz"[axis]) + " is " + std::to_string(point[axis]) +
+                                 ", must be finite");
+      }
     }
     file.points.push_back(point);
     file.places.push_back(place);
   }
+  TurnIntoLPS(SystemOf(reader->GetOutput()), file);
   return file;
 }
 
 std::string
 ExtensionOf(const std::string & path)
 {
-  return Lower(std::filesystem::path(path).extension().string());
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(
+    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension;
 }
 } // namespace
 
@@ -287,7 +288,7 @@ ReadPointFile(const std::string & path)
   {
     throw std::runtime_error("a folder, not a file of points");
   }
-  std::ifstream stream(path);
+  std::ifstream stream(path, std::ios::binary);
   if (!stream)
   {
     throw std::runtime_error("no such file, or it cannot be read");

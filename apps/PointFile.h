@@ -30,13 +30,14 @@ IsPointFile(const std::string & path);
 
 /** \brief Reads the points of a file.
  *
- * - `.csv`: a line of column names, among them x, y and z (or CenterX ..., or with a unit, as x_um), and optionally
- *   Label; or lines of three numbers without names. Separated by commas, semicolons or tabs.
+ * - `.csv`: a line of column names, by FindPointColumns(), among them optionally Label; or lines of three numbers
+ *   without names. Separated by commas, semicolons or tabs, with quotes, by ReadDelimitedText().
  * - `.fcsv`: markups of 3D Slicer; RAS coordinates, the default of its older versions, become LPS.
- * - `.vtp`: the points of VTK's polygonal data.
+ * - `.vtp`: the points of VTK's polygonal data; those whose field array `SPACE` says RAS become LPS.
  *
- * \throws std::runtime_error: no such file, missing columns, text in place of a number, a number that is not finite,
- * with the place in the file. */
+ * Numbers have a decimal point, whatever the locale.
+ * \throws std::runtime_error: no such file, missing columns, text in place of a number, a number that is not finite;
+ * with line, column and value. */
 PointFile
 ReadPointFile(const std::string & path);
 } // namespace tissue

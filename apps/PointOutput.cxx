@@ -22,6 +22,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <limits>
+#include <locale>
 #include <stdexcept>
 
 namespace tissue
@@ -76,10 +78,12 @@ WriteTable(const PointTable & table, const std::string & path)
 void
 WriteFiducials(const PointTable & table, const std::string & path)
 {
-  std::ofstream stream(path);
+  std::ofstream stream(path, std::ios::binary);
+  // Whatever the locale, and as many digits as it takes to read the same numbers.
+  stream.imbue(std::locale::classic());
   stream << "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n"
             "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
-         << std::setprecision(10);
+         << std::setprecision(std::numeric_limits<double>::max_digits10);
   const auto * const labels = table.FindColumn("label");
   for (std::size_t i = 0; i < table.points.size(); ++i)
   {

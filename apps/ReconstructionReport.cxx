@@ -21,12 +21,34 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+/** Points alone have no walls, lines and junctions in an image, and no volumes, to compare with. */
+bool
+HasLabelImage(const ReconstructionReport & report)
+{
+  return !report.input.junctions->GetJunctionSet().walls.empty();
+}
+
+/** Whether the voxels of an image are known: of the label image, or of that of the nuclei. */
+bool
+HasVoxels(const ReconstructionReport & report)
+{
+  return report.input.size[0] > 0;
+}
+
+/** Null where it is not known. */
+template <typename T>
 Json
-ToJson(const ReconstructionStage & stage)
+ToJsonIf(bool isKnown, const T & value)
+{
+  return isKnown ? Json(value) : Json();
+}
+
+Json
+ToJson(const ReconstructionStage & stage, bool hasLabelImage)
 {
   const ComplexStatistics & s = stage.statistics;
-  return { { "adjacency2", s.adjacency2 },
-           { "adjacency4", s.adjacency4 },
+  return { { "adjacency2", ToJsonIf(hasLabelImage, s.adjacency2) },
+           { "adjacency4", ToJsonIf(hasLabelImage, s.adjacency4) },
            { "neighborhoodError", s.neighborhoodError },
            { "eccentricity", s.eccentricity },
            { "minimalDihedralAngle", s.minimalDihedralAngle },
@@ -84,13 +106,6 @@ CollectNotes(const ReconstructionReport & report)
   return notes;
 }
 
-/** Points alone have no volumes to compare with. */
-bool
-HasVolumes(const ReconstructionReport & report)
-{
-  return !report.input.junctions->GetJunctionSet().walls.empty();
-}
-
 /** Mean of the cells' relative difference from their volume in the image. */
 double
 MeanVolumeError(const ReconstructionReport & report)
@@ -121,7 +136,7 @@ MeshToJson(const ReconstructionReport & report)
            { "untangledPairs", report.reconstruction.fitting.untangledPairs },
            { "crossingPairs", report.reconstruction.fitting.crossingPairs },
            { "starWalls", report.reconstruction.fitting.starWalls },
-           { "meanVolumeError", HasVolumes(report) ? Json(MeanVolumeError(report)) : Json() },
+           { "meanVolumeError", HasLabelImage(report) ? Json(MeanVolumeError(report)) : Json() },
            { "triangleQuality",
              { { "mean", quality.mean }, { "fifthPercentile", quality.fifthPercentile }, { "least", quality.least } } },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
@@ -169,28 +184,30 @@ ToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.reconstruction;
   const JunctionSet &          junctions = report.input.junctions->GetJunctionSet();
+  const bool                   hasLabelImage = HasLabelImage(report);
+  const bool                   hasVoxels = HasVoxels(report);
   Json                         json;
   json["program"] = { { "name", report.program }, { "version", TISSUE_TESSELLATION_VERSION } };
   json["input"] = { { "file", report.options.MainInput() },
                     { "points", report.input.numberOfPoints },
-                    { "pixelType", report.input.pixelType },
-                    { "size", report.input.size },
-                    { "spacing", report.input.spacing },
+                    { "pixelType", ToJsonIf(!report.input.pixelType.empty(), report.input.pixelType) },
+                    { "size", ToJsonIf(hasVoxels, report.input.size) },
+                    { "spacing", ToJsonIf(hasVoxels, report.input.spacing) },
                     { "exteriorLabel", report.input.exteriorLabel },
                     { "cells", junctions.cells.size() - 1 },
-                    { "voids", junctions.voids.size() },
-                    { "walls", junctions.walls.size() },
-                    { "tripleLines", junctions.tripleLines.size() },
-                    { "junctions", junctions.junctions.size() },
-                    { "blocksOfMoreThanFourCells", junctions.numberOfCrowdedBlocks },
+                    { "voids", ToJsonIf(hasLabelImage, junctions.voids.size()) },
+                    { "walls", ToJsonIf(hasLabelImage, junctions.walls.size()) },
+                    { "tripleLines", ToJsonIf(hasLabelImage, junctions.tripleLines.size()) },
+                    { "junctions", ToJsonIf(hasLabelImage, junctions.junctions.size()) },
+                    { "blocksOfMoreThanFourCells", ToJsonIf(hasLabelImage, junctions.numberOfCrowdedBlocks) },
                     { "closedGaps",
                       { { "width", report.input.closedGapWidth },
                         { "voxels", report.input.numberOfClosedVoxels },
                         { "largestDistance", report.input.largestClosedDistance } } } };
   json["options"] = report.optionsAsJson;
-  json["stages"] = { { "delaunay", ToJson(r.delaunay) },
-                     { "cleaned", ToJson(r.cleaned) },
-                     { "optimized", ToJson(r.optimized) } };
+  json["stages"] = { { "delaunay", ToJson(r.delaunay, hasLabelImage) },
+                     { "cleaned", ToJson(r.cleaned, hasLabelImage) },
+                     { "optimized", ToJson(r.optimized, hasLabelImage) } };
   if (report.judge != nullptr)
   {
     json["evaluation"] = EvaluationToJson(report);
@@ -260,18 +277,26 @@ PrintEvaluation(const ReconstructionReport & report, std::ostream & stream)
 }
 
 void
-PrintStages(const TissueReconstruction & r, std::ostream & stream)
+PrintStages(const TissueReconstruction & r, bool hasLabelImage, std::ostream & stream)
 {
-  stream
-    << "Agreement with the image, 1 at best: adjacency2 by pairs of neighbours, adjacency4 by corners of four cells\n"
-    << "            adjacency2 adjacency4  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
-    << std::fixed;
-  const auto row = [&stream](const char * name, const ReconstructionStage & stage) {
+  const char * const agreement = hasLabelImage ? " adjacency2 adjacency4" : "";
+  if (hasLabelImage)
+  {
+    stream << "Agreement with the image, 1 at best: adjacency2 by pairs of neighbours, adjacency4 by corners of four "
+              "cells\n";
+  }
+  stream << "           " << agreement << "  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
+         << std::fixed;
+  const auto row = [&](const char * name, const ReconstructionStage & stage) {
     const ComplexStatistics & s = stage.statistics;
-    stream << std::left << std::setw(12) << name << std::right << std::setprecision(4) << std::setw(10) << s.adjacency2
-           << std::setw(11) << s.adjacency4 << std::setprecision(3) << std::setw(15) << s.neighborhoodError
-           << std::setw(14) << s.eccentricity << std::setprecision(1) << std::setw(12) << s.minimalDihedralAngle
-           << std::setw(12) << s.maximalDihedralAngle << std::setprecision(3) << std::setw(10) << stage.seconds << '\n';
+    stream << std::left << std::setw(11) << name << std::right;
+    if (hasLabelImage)
+    {
+      stream << std::setprecision(4) << std::setw(11) << s.adjacency2 << std::setw(11) << s.adjacency4;
+    }
+    stream << std::setprecision(3) << std::setw(15) << s.neighborhoodError << std::setw(14) << s.eccentricity
+           << std::setprecision(1) << std::setw(12) << s.minimalDihedralAngle << std::setw(12) << s.maximalDihedralAngle
+           << std::setprecision(3) << std::setw(10) << stage.seconds << '\n';
   };
   row("Delaunay", r.delaunay);
   row("cleaned", r.cleaned);
@@ -336,15 +361,18 @@ Print(const ReconstructionReport & report, std::ostream & stream)
   {
     stream << input.numberOfPoints << " points; ";
   }
-  stream << input.size[0] << " x " << input.size[1] << " x " << input.size[2] << " voxels of " << input.spacing[0]
-         << " x " << input.spacing[1] << " x " << input.spacing[2] << ", " << numberOfCells << " cells, exterior label "
-         << input.exteriorLabel << '\n';
+  if (HasVoxels(report))
+  {
+    stream << input.size[0] << " x " << input.size[1] << " x " << input.size[2] << " voxels of " << input.spacing[0]
+           << " x " << input.spacing[1] << " x " << input.spacing[2] << ", ";
+  }
+  stream << numberOfCells << " cells, exterior label " << input.exteriorLabel << '\n';
   if (report.options.closeGaps)
   {
     stream << "Gaps up to a width of " << input.closedGapWidth << " closed: " << input.numberOfClosedVoxels
            << " voxels given to cells, at most " << input.largestClosedDistance << " away\n";
   }
-  PrintStages(report.reconstruction, stream);
+  PrintStages(report.reconstruction, HasLabelImage(report), stream);
   if (report.judge != nullptr)
   {
     PrintEvaluation(report, stream);

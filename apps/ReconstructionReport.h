@@ -34,6 +34,7 @@ struct ReconstructionReport
 
 /** \brief The report as JSON: program, input, options, stages, cleanUp, cycles, mesh, warnings, remarks, seconds.
  *
+ * What there is not, as agreement with an image for points alone, is null.
  * All times are in `seconds`: without it, reports of the same input and options are the same. */
 nlohmann::ordered_json
 ToJson(const ReconstructionReport & report);

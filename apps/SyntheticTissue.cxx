@@ -198,7 +198,12 @@ Run(const Options & options)
     MakeImageIO(options.nuclei);
     tissue::OutputFiles::RequireWritable(options.nuclei);
   }
-  const std::string pointFormat = options.nucleiPoints.empty() ? "" : tissue::RequirePointFormat(options.nucleiPoints);
+  std::string pointFormat;
+  if (!options.nucleiPoints.empty())
+  {
+    pointFormat = tissue::RequirePointFormat(options.nucleiPoints);
+    tissue::OutputFiles::RequireWritable(options.nucleiPoints);
+  }
 
   const auto source = itk::SyntheticTissueImageSource<ImageType>::New();
   source->SetSize(itk::Size<3>{ { options.size[0], options.size[1], options.size[2] } });

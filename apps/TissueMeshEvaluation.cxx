@@ -4,6 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "OptionChecks.h"
 #include "OutputFiles.h"
 #include "ProgressBar.h"
 #include "RunProgram.h"
@@ -211,23 +212,14 @@ main(int argc, char ** argv)
     app.add_option(
       "--exteriorLabel", options.input.exteriorLabel, "Label of the exterior; found in the image by default");
     app.add_flag("--zeroIsCell", options.input.zeroIsCell, "Take label 0 for a cell");
-    app.add_option("--spacing", options.input.spacing, "Voxel size x y z in place of the image file's");
+    app.add_option("--spacing", options.input.spacing, "Voxel size x y z in place of the image file's")
+      ->check(tissue::InRange(1e-12, 1e12));
     app.add_option("--threads", options.input.threads, "Threads; 0: all cores. The result does not depend on it")
       ->check(CLI::Range(0, 1024));
     app.add_flag("--quiet", options.input.isQuiet, "Say nothing but errors");
-    try
+    if (tissue::Parse(app, argc, argv))
     {
-      app.parse(argc, argv);
+      tissue::Run(options);
     }
-    catch (const CLI::Success & success)
-    {
-      app.exit(success);
-      return;
-    }
-    catch (const CLI::Error & error)
-    {
-      throw std::runtime_error(std::string(error.what()) + " (--help lists the options)");
-    }
-    tissue::Run(options);
   });
 }

@@ -11,12 +11,16 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
 #include <vtkXMLDataObjectWriter.h>
 #include <vtkXMLWriter.h>
@@ -42,6 +46,19 @@ AppendValue(std::string & row, vtkDataArray * column, vtkIdType index)
   const auto end = std::to_chars(text, text + sizeof(text), column->GetComponent(index, 0)).ptr;
   row.append(text, end);
 }
+
+void
+WriteBytes(const std::string & bytes, const std::string & path)
+{
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << bytes << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error(std::strerror(errno));
+  }
+}
+
 /** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
 void
 ClearNotes(vtkFieldData * arrays)
@@ -90,12 +107,19 @@ WriteCSV(vtkTable * table, const std::string & path)
     }
     text += '\n';
   }
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  if (!file)
-  {
-    throw std::runtime_error(std::strerror(errno));
-  }
+  WriteBytes(text, path);
+}
+
+void
+WritePNG(vtkImageData * image, const std::string & path)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  // Writers of PNG files do not survive a full disk.
+  writer->WriteToMemoryOn();
+  WriteOrThrow(writer.Get(), path);
+  vtkUnsignedCharArray * const bytes = writer->GetResult();
+  const unsigned char * const  begin = bytes->GetPointer(0);
+  WriteBytes(std::string(begin, begin + bytes->GetNumberOfValues()), path);
 }
 } // namespace tissue

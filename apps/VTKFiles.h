@@ -9,6 +9,7 @@
 
 #include <string>
 
+class vtkImageData;
 class vtkPointSet;
 class vtkTable;
 
@@ -23,6 +24,10 @@ WriteXML(vtkPointSet * data, const std::string & path);
  * numbers in the shortest form that reads back as the same number. Throws std::runtime_error. */
 void
 WriteCSV(vtkTable * table, const std::string & path);
+
+/** Writes an image of one slice of bytes. Throws std::runtime_error, also where the disk is full. */
+void
+WritePNG(vtkImageData * image, const std::string & path);
 } // namespace tissue
 
 #endif

@@ -9,16 +9,16 @@
 #include "CellDrawing.h"
 #include "PictureView.h"
 #include "TissueTessellationCore/WallMeshIndices.h"
-#include "WriteOrThrow.h"
+#include "VTKFiles.h"
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -233,9 +233,8 @@ WritePicture(vtkRenderWindow * window, const std::string & path)
   average->SetInputConnection(grab->GetOutputPort());
   average->SetShrinkFactors(supersampling, supersampling, 1);
   average->AveragingOn();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(average->GetOutputPort());
-  WriteOrThrow(writer.Get(), path);
+  average->Update();
+  WritePNG(average->GetOutput(), path);
 }
 
 void

@@ -117,6 +117,38 @@ TEST_F(NucleiTessellationApp, PaperPresetMakesTheComplexMoreRegular)
   EXPECT_EQ(report["options"]["corners"], "lifted");
 }
 
+TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
+{
+  const auto  alone = this->RunAndReport("points.csv walls.vtp --preset paper");
+  const auto  input = alone["input"];
+  std::size_t number = 0;
+  for (const char * ofImage :
+       { "pixelType", "size", "spacing", "voids", "walls", "tripleLines", "junctions", "blocksOfMoreThanFourCells" })
+  {
+    number += input.contains(ofImage) && input[ofImage].is_null() ? 1 : 0;
+  }
+  EXPECT_EQ(number, 8u) << input;
+  for (const char * stage : { "delaunay", "cleaned", "optimized" })
+  {
+    EXPECT_TRUE(alone["stages"][stage]["adjacency2"].is_null());
+    EXPECT_TRUE(alone["stages"][stage]["adjacency4"].is_null());
+    EXPECT_GT(alone["stages"][stage]["eccentricity"], 0.0);
+  }
+  EXPECT_EQ(m_Output.find("points.csv: " + std::to_string(m_Points.size()) + " points; " +
+                          std::to_string(m_Points.size()) + " cells, exterior label 0\n"),
+            0u)
+    << m_Output;
+  for (const char * ofImage : { "voxels", "adjacency", "image" })
+  {
+    EXPECT_EQ(m_Output.find(ofImage), std::string::npos) << m_Output;
+  }
+  const auto fitted = this->RunAndReport("points.csv walls.vtp --refinement 0");
+  EXPECT_GT(fitted["stages"]["optimized"]["adjacency4"], 0.5);
+  EXPECT_GT(fitted["input"]["walls"], 0);
+  EXPECT_NE(m_Output.find(" voxels of "), std::string::npos) << m_Output;
+  EXPECT_NE(m_Output.find("adjacency4"), std::string::npos) << m_Output;
+}
+
 TEST_F(NucleiTessellationApp, LabelsAreThoseOfTheFileOrOfTheImage)
 {
   ASSERT_EQ(this->Run("points.csv a.vtp --refinement 0 --box tissue.mha"), 0) << m_Errors;
@@ -237,16 +269,16 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
   refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
-  refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among the 3 columns" });
-  refuse(four + "1,2\n", { "bad.csv: line 6 has 2 columns, at least 3 are needed" });
-  refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 is no number" });
+  refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among 'a', 'b', 'c'" });
+  refuse(four + "1,2\n", { "bad.csv: line 6: there are 2 columns, at least 3 are needed" });
+  refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 ('y') is no number" });
   refuse(four + "1,2,\n", { "bad.csv: line 6" });
-  refuse(four + "1,nan,3\n", { "bad.csv: line 6: the coordinate in column 2 is nan, must be finite" });
-  refuse(four + "1,2,inf\n", { "bad.csv: line 6: the coordinate in column 3 is inf" });
+  refuse(four + "1,nan,3\n", { "bad.csv: line 6: 'nan' in column 2 ('y') must be finite" });
+  refuse(four + "1,2,inf\n", { "bad.csv: line 6: 'inf' in column 3 ('z') must be finite" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", { "bad.csv: ", "coplanar" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,0,0\n5,0,0\n2,1,0\n", { "bad.csv: There are 3 points" });
   refuse("Label,x,y,z\n1,0,0,0\n1,5,0,0\n", { "bad.csv: line 3 has the label 1 of line 2" });
-  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: the label '1.5' is no whole number above 0" });
+  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: '1.5' in column 1 ('Label') is no whole number above 0" });
   refuse("# CoordinateSystem = XYZ\n", { "bad.fcsv: line 1: the coordinate system 'XYZ'" }, "bad.fcsv");
   refuse("not XML", { "bad.vtp: ", "no VTK file of polygonal data" }, "bad.vtp");
 }

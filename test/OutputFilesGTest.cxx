@@ -107,3 +107,49 @@ TEST_F(OutputFilesTest, PathsThatCannotBeWrittenAreRefusedByReason)
   EXPECT_NE(RefusalOf("/proc/a.vtp").find("Cannot write '/proc/a.vtp': "), std::string::npos);
 #endif
 }
+
+TEST_F(OutputFilesTest, VoxelsOfAnInputAreNotReplaced)
+{
+  struct Case
+  {
+    std::string header;
+    std::string text;
+    std::string data;
+  };
+  const std::string meta = "NDims = 3\nElementDataFile = ";
+  const std::string nrrd = "NRRD0004\n# made by hand\ndimension: 3\n";
+  for (const Case & c : { Case{ "a.mhd", meta + "a.raw", "a.raw" },
+                          Case{ "a.mha", "NDims = 3\r\nElementDataFile=a b.raw\r\n", "a b.raw" },
+                          Case{ "a.mhd", meta + "LIST 2\na1.raw\na2.raw\n", "a2.raw" },
+                          Case{ "a.mhd", meta + "a%03d.raw 1 9 4\n", "a009.raw" },
+                          Case{ "a.nhdr", nrrd + "data file: ./a.raw\n", "a.raw" },
+                          Case{ "a.nhdr", nrrd + "datafile: LIST\na1.raw\na2.raw", "a2.raw" },
+                          Case{ "a.nrrd", nrrd + "data file: a%d.raw 8 12 1\n\n", "a11.raw" },
+                          Case{ "a.img", "", "a.hdr" },
+                          Case{ "a.hdr.gz", "", "a.img.gz" } })
+  {
+    std::ofstream(PathOf(c.header)) << c.text;
+    WriteText(PathOf(c.data));
+    WriteText(PathOf("other.raw"));
+    try
+    {
+      tissue::OutputFiles::RequireNotInput(PathOf(c.data), PathOf(c.header));
+      FAIL() << c.data << " of " << c.text;
+    }
+    catch (const std::runtime_error & error)
+    {
+      EXPECT_EQ(error.what(),
+                "Cannot write '" + PathOf(c.data) + "': it holds the voxels of the input '" + PathOf(c.header) + "'");
+    }
+    EXPECT_NO_THROW(tissue::OutputFiles::RequireNotInput(PathOf("other.raw"), PathOf(c.header)));
+    std::filesystem::remove(PathOf(c.data));
+    EXPECT_NO_THROW(tissue::OutputFiles::RequireNotInput(PathOf(c.data), PathOf(c.header)));
+  }
+  // Voxels behind the header, which are no lines of it.
+  std::ofstream(PathOf("b.nrrd")) << nrrd << "\ndata file: other.raw\n";
+  std::ofstream(PathOf("b.mha")) << meta << "LOCAL\nother.raw\n";
+  for (const char * header : { "b.nrrd", "b.mha", "none.mhd", "none.csv" })
+  {
+    EXPECT_NO_THROW(tissue::OutputFiles::RequireNotInput(PathOf("other.raw"), PathOf(header))) << header;
+  }
+}

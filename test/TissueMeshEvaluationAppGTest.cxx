@@ -240,3 +240,13 @@ TEST_F(TissueMeshEvaluationApp, ReportIsTheSameForAnyNumberOfThreads)
   EXPECT_GT(one.size(), 1000u);
   EXPECT_EQ(one, ReadBytes(this->PathOf("threads2.json")));
 }
+
+TEST_F(TissueMeshEvaluationApp, RefusesVoxelSizesThatAreNone)
+{
+  this->MakeMesh();
+  for (const char * size : { "nan", "0", "-1" })
+  {
+    this->ExpectRefusal(std::string("walls.vtp tissue.mha --spacing 1 1 ") + size,
+                        { std::string("--spacing: ") + size + " is out of range, must be in 1e-12 .. 1e+12" });
+  }
+}

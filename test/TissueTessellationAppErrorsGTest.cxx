@@ -133,6 +133,19 @@ TEST_F(TissueTessellationAppErrors, OutputsThatCannotBeWritten)
   this->ExpectRefusal("tissue.vtp tissue.vtp", { "'tissue.vtp': it is the input" });
 }
 
+TEST_F(TissueTessellationAppErrors, OutputsThatWouldReplaceTheVoxelsOfAnInput)
+{
+  this->WriteTissue<unsigned char>("tissue.mhd");
+  std::filesystem::rename(this->PathOf("tissue.raw"), this->PathOf("tissue.vtp"));
+  std::string header = ReadBytes(this->PathOf("tissue.mhd"));
+  header.replace(header.rfind("raw"), 3, "vtp");
+  std::ofstream(this->PathOf("tissue.mhd"), std::ios::binary) << header;
+  const std::string voxels = ReadBytes(this->PathOf("tissue.vtp"));
+  this->ExpectRefusal("tissue.mhd tissue.vtp", { "'tissue.vtp': it holds the voxels of the input 'tissue.mhd'" });
+  EXPECT_EQ(ReadBytes(this->PathOf("tissue.vtp")), voxels);
+  EXPECT_EQ(this->Run("tissue.mhd walls.vtp --refinement 0"), 0) << m_Errors;
+}
+
 TEST_F(TissueTessellationAppErrors, DisksThatRunFull)
 {
   this->WriteTissue<unsigned char>("tissue.mha");
