@@ -17,7 +17,8 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
   app
     .add_option("--minimumScale",
                 options.minimumScale,
-                "Standard deviation of the smallest nuclei, in the image's units: their radius over 1.73")
+                "Standard deviation of the smallest nuclei, in the image's units: their radius over 1.73; 0, and so "
+                "--maximumScale: both are found from the image")
     ->group("Detection")
     ->check(positive);
   app.add_option("--maximumScale", options.maximumScale, "Standard deviation of the largest nuclei")

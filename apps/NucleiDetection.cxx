@@ -46,8 +46,6 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option(
     "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles");
   AddDetectionOptions(app, options.detection);
-  app.get_option("--minimumScale")->required();
-  app.get_option("--maximumScale")->required();
   app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(CLI::Range(1e-9, 1e9));
   app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
   app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
@@ -96,7 +94,8 @@ Run(const Options & options)
   }
   if (!options.isQuiet)
   {
-    std::cout << options.points << ": " << table.points.size() << " nuclei, responses of "
+    std::cout << options.points << ": " << table.points.size() << " nuclei of scales from "
+              << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale() << ", responses of "
               << detection->GetUsedThreshold() << " and more\n";
     if (table.points.empty())
     {

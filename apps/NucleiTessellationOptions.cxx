@@ -74,11 +74,6 @@ ParseNucleiCommandLine(int argc, char ** argv)
   {
     options.labels = options.centersOf;
   }
-  else if (!IsPointFile(options.labels) && !(options.detection.maximumScale > 0.0))
-  {
-    throw std::runtime_error(options.labels + ": an image of nuclei needs --minimumScale and --maximumScale, a file of "
-                                              "points has a name that ends in .csv, .fcsv or .vtp");
-  }
   options.otherInputs = { options.box };
   FinishParameters(options);
   return options;

@@ -119,8 +119,8 @@ FindNuclei(const NucleiTessellationOptions & options, ProgressBar & progress, Ti
   if (result.points.size() < minimum)
   {
     std::ostringstream message;
-    message << result.points.size() << " nuclei of scales from " << options.detection.minimumScale << " to "
-            << options.detection.maximumScale << " have a response of " << detection->GetUsedThreshold()
+    message << result.points.size() << " nuclei of scales from " << detection->GetUsedMinimumScale() << " to "
+            << detection->GetUsedMaximumScale() << " have a response of " << detection->GetUsedThreshold()
             << " or more, at least " << minimum << " are needed";
     throw std::runtime_error(message.str());
   }

@@ -7,7 +7,7 @@
 points.csv has the true nuclei: x, y, z (or x_..., in the image's units), and radius, or voxels. A blob is true if it
 is within the radius of a nucleus that has no nearer one; F1 = 2 true / (blobs + nuclei). `--innerOnly` leaves out
 the nuclei that the column touches_border marks, and the blobs within them. Of blob_dog the best F1 of 12 thresholds
-counts, of NucleiDetection the default's and its best. Times are medians of wall-clock seconds: the program's with its
+counts, of NucleiDetection the default's and its best, and what it finds without any option. Times are medians of wall-clock seconds: the program's with its
 start, reading and writing on two threads, and blob_dog's alone.
 
 Needs python3-skimage and python3-numpy. ITK's MetaImage (.mha), local, raw or zlib, is all that this script reads."""
@@ -84,12 +84,13 @@ class Judge:
 
 
 def run_program(binaries, image, scales, options=()):
-    """Blobs by falling response, their responses, and seconds."""
+    """Blobs by falling response, their responses, and seconds; `scales` None: found from the image."""
     with tempfile.TemporaryDirectory() as folder:
         points = pathlib.Path(folder) / "points.csv"
         start = time.perf_counter()
-        subprocess.run([binaries / "NucleiDetection", image, points, "--minimumScale", str(scales[0]), "--maximumScale",
-                        str(scales[1]), "--threads", "2", "--quiet", *options], check=True)
+        if scales is not None:
+            options = [*options, "--minimumScale", str(scales[0]), "--maximumScale", str(scales[1])]
+        subprocess.run([binaries / "NucleiDetection", image, points, "--threads", "2", "--quiet", *options], check=True)
         seconds = time.perf_counter() - start
         with open(points, newline="") as stream:
             rows = list(csv.DictReader(stream))
@@ -108,6 +109,9 @@ def compare(binaries, image, points, scales, inner_only, repeats):
     voxels, spacing = read_image(image)
     voxels = voxels.astype(float)
     judge = Judge(read_nuclei(points, spacing), inner_only, spacing)
+    blobs, _, seconds = run_program(binaries, image, None)
+    f1, error = judge(blobs)
+    print(f"NucleiDetection  F1 {f1:.3f} ({len(blobs)} blobs), without options; error {error:.2f} voxels; {seconds:.2f} s")
     blobs, _, _ = run_program(binaries, image, scales)
     f1, error = judge(blobs)
     every, responses, _ = run_program(binaries, image, scales, ["--relativeThreshold", "0.001"])
@@ -147,8 +151,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for shape, model, seed in (("dome", "anisotropic", 0), ("flower", "division", 1)):
             files = [str(pathlib.Path(folder) / name) for name in ("labels.mha", "nuclei.mha", "nuclei.csv")]
-            subprocess.run([arguments.binaries / "SyntheticTissue", files[0], "--size", "200", "200", "70", "--spacing", "0.5",
-                            "0.5", "1.5", "--cells", "500", "--shape", shape, "--model", model, "--seed", str(seed),
+            subprocess.run([arguments.binaries / "SyntheticTissue", files[0], "--size", "120", "120", "44", "--spacing", "0.5",
+                            "0.5", "1.5", "--cells", "120", "--shape", shape, "--model", model, "--seed", str(seed),
                             "--nuclei", files[1], "--nucleiPoints", files[2], "--signalToNoise",
                             str(arguments.signalToNoise), "--quiet"], check=True)
             print(f"{shape}, {model}, signal to noise {arguments.signalToNoise:g}")

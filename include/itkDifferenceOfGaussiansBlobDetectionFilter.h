@@ -44,7 +44,8 @@ class DifferenceOfGaussiansNeighborhood;
  * The result is the same for any number of threads.
  *
  * Exceptions: pixels that are not finite, a constant image, a minimum scale below half a voxel (of the finest axis), a
- * maximum scale below the minimum or above the image's shortest side. An image without blobs gives an empty set.
+ * maximum scale below the minimum or above the image's shortest side, one scale without the other. An image without
+ * blobs gives an empty set.
  *
  * \ingroup TissueTessellation
  */
@@ -82,7 +83,9 @@ public:
   const OutputType *
   GetOutput() const;
 
-  /** Scales of the smallest and the largest blobs, standard deviations in physical units; required. */
+  /** Scales of the smallest and the largest blobs, standard deviations in physical units. Where both are 0, the
+   * default, they are found from the maxima at all scales, from a voxel to a sixth of the image's shortest side
+   * (tissue::ChooseBlobScales). */
   itkSetMacro(MinimumScale, double);
   itkGetConstMacro(MinimumScale, double);
   itkSetMacro(MaximumScale, double);
@@ -106,8 +109,9 @@ public:
   itkSetMacro(RelativeThreshold, double);
   itkGetConstMacro(RelativeThreshold, double);
 
-  /** The greatest share of the smaller of two balls that they may have in common, 0 .. 0.9. Default 0.5. */
-  itkSetClampMacro(MaximumOverlap, double, 0.0, 0.9);
+  /** The greatest share of the smaller of two balls that they may have in common, 0 .. 1, where 1 keeps all. Default
+   * 0.5. */
+  itkSetClampMacro(MaximumOverlap, double, 0.0, 1.0);
   itkGetConstMacro(MaximumOverlap, double);
 
   /** The greatest ratio of two eigenvalues of the Hessian at a blob; 0 keeps all. Default 10. */
@@ -118,8 +122,10 @@ public:
   itkSetMacro(BorderMargin, double);
   itkGetConstMacro(BorderMargin, double);
 
-  /** The response that was the least; valid after the update. */
+  /** The response that was the least, and the range of the scales; valid after the update. */
   itkGetConstMacro(UsedThreshold, double);
+  itkGetConstMacro(UsedMinimumScale, double);
+  itkGetConstMacro(UsedMaximumScale, double);
 
   /** Scale and response of every blob, a copy of the output's point data as one flat array; valid after the update. In
    * Python it becomes a NumPy array:
@@ -175,8 +181,18 @@ private:
   static RealImagePointer
   Subsample(const RealImageType * image, const std::array<int, 3> & factors);
 
-  void
-  VerifyScales() const;
+  bool
+  HasScales() const
+  {
+    return m_MinimumScale > 0.0;
+  }
+  /** The scales to look at. */
+  tissue::BlobScaleRange
+  GetSearchedScales() const;
+
+  /** All maxima of the scale space that are blobs, in an order that depends on the threads. */
+  std::vector<tissue::Blob>
+  FindMaxima(const tissue::BlobScaleRange & scales);
 
   /** Appends the maxima of the middle level, in an order that depends on the threads. */
   void
@@ -207,6 +223,8 @@ private:
   double       m_MaximumHessianRatio = 10.0;
   double       m_BorderMargin = 0.0;
   double       m_UsedThreshold = 0.0;
+  double       m_UsedMinimumScale = 0.0;
+  double       m_UsedMaximumScale = 0.0;
 };
 } // namespace itk
 

@@ -169,10 +169,11 @@ void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
 {
   Superclass::VerifyPreconditions();
-  if (!(m_MinimumScale > 0.0) || !(m_MaximumScale >= m_MinimumScale) || !std::isfinite(m_MaximumScale))
+  const bool areGiven = !Math::ExactlyEquals(m_MinimumScale, 0.0) || !Math::ExactlyEquals(m_MaximumScale, 0.0);
+  if (areGiven && (!(m_MinimumScale > 0.0) || !(m_MaximumScale >= m_MinimumScale) || !std::isfinite(m_MaximumScale)))
   {
     itkExceptionMacro(<< "The scales are " << m_MinimumScale << " to " << m_MaximumScale
-                      << "; the minimum must be above 0 and the maximum at least as large.");
+                      << "; the minimum must be above 0 and the maximum at least as large, or both 0.");
   }
   if (!(m_RelativeThreshold < 1.0))
   {
@@ -181,8 +182,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::VerifyPreconditions() ITK
 }
 
 template <typename TInputImage>
-void
-DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::VerifyScales() const
+tissue::BlobScaleRange
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GetSearchedScales() const
 {
   const auto * const image = this->GetInput();
   double             finest = image->GetSpacing()[0];
@@ -191,6 +192,11 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::VerifyScales() const
   {
     finest = std::min(finest, image->GetSpacing()[i]);
     shortest = std::min(shortest, image->GetSpacing()[i] * image->GetLargestPossibleRegion().GetSize(i));
+  }
+  if (!this->HasScales())
+  {
+    constexpr double largestShare = 1.0 / 6.0;
+    return { finest, std::max(finest, largestShare * shortest) };
   }
   if (m_MinimumScale < 0.5 * finest)
   {
@@ -202,6 +208,7 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::VerifyScales() const
     itkExceptionMacro(<< "The maximum scale is " << m_MaximumScale
                       << ", must not exceed the shortest side of the image: " << shortest);
   }
+  return { m_MinimumScale, m_MaximumScale };
 }
 
 template <typename TInputImage>
@@ -342,13 +349,32 @@ template <typename TInputImage>
 void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GenerateData()
 {
-  this->VerifyScales();
+  tissue::BlobScaleRange    scales = this->GetSearchedScales();
+  std::vector<tissue::Blob> blobs = this->FindMaxima(scales);
+  if (!this->HasScales())
+  {
+    scales = tissue::ChooseBlobScales(blobs);
+    const auto isOther = [&scales](const tissue::Blob & blob) {
+      return blob.scale < scales.minimum || blob.scale > scales.maximum;
+    };
+    blobs.erase(std::remove_if(blobs.begin(), blobs.end(), isOther), blobs.end());
+  }
+  m_UsedMinimumScale = scales.minimum;
+  m_UsedMaximumScale = scales.maximum;
+  this->SetBlobs(this->SelectBlobs(std::move(blobs)));
+  this->UpdateProgress(1.0f);
+}
+
+template <typename TInputImage>
+std::vector<tissue::Blob>
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::BlobScaleRange & scales)
+{
   const double step = std::pow(2.0, 1.0 / m_StepsPerOctave);
   const auto   numberOfLevels =
-    1 + static_cast<unsigned int>(std::ceil(m_StepsPerOctave * std::log2(m_MaximumScale / m_MinimumScale) - 1e-9));
+    1 + static_cast<unsigned int>(std::ceil(m_StepsPerOctave * std::log2(scales.maximum / scales.minimum) - 1e-9));
   const unsigned int numberOfImages = numberOfLevels + 3;
   // Levels are at the geometric means of their two deviations; one level more on each side shows what is a maximum.
-  double                    deviation = m_MinimumScale / std::pow(step, 1.5);
+  double                    deviation = scales.minimum / std::pow(step, 1.5);
   std::vector<tissue::Blob> blobs;
   Window                    window;
   window[3] = this->Smooth(this->ConvertInput(), deviation);
@@ -371,8 +397,7 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GenerateData()
       this->CollectMaxima(window, scale, step, blobs);
     }
   }
-  this->SetBlobs(this->SelectBlobs(std::move(blobs)));
-  this->UpdateProgress(1.0f);
+  return blobs;
 }
 
 template <typename TInputImage>
@@ -575,6 +600,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::PrintSelf(std::ostream & 
   os << indent << "MaximumHessianRatio: " << m_MaximumHessianRatio << std::endl;
   os << indent << "BorderMargin: " << m_BorderMargin << std::endl;
   os << indent << "UsedThreshold: " << m_UsedThreshold << std::endl;
+  os << indent << "UsedMinimumScale: " << m_UsedMinimumScale << std::endl;
+  os << indent << "UsedMaximumScale: " << m_UsedMaximumScale << std::endl;
 }
 } // namespace itk
 

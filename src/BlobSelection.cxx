@@ -46,6 +46,31 @@ BlobRadius(double scale)
   return std::sqrt(3.0) * scale;
 }
 
+BlobScaleRange
+ChooseBlobScales(std::vector<Blob> maxima)
+{
+  constexpr double factor = 2.0;
+  std::sort(maxima.begin(), maxima.end(), [](const Blob & a, const Blob & b) {
+    return std::tie(a.scale, a.response) < std::tie(b.scale, b.response);
+  });
+  const auto weight = [](const Blob & blob) { return blob.response * blob.response * std::pow(blob.scale, 3); };
+  double     sum = 0.0;
+  for (const Blob & blob : maxima)
+  {
+    sum += weight(blob);
+  }
+  double below = 0.0;
+  for (const Blob & blob : maxima)
+  {
+    below += weight(blob);
+    if (below >= 0.5 * sum)
+    {
+      return { blob.scale / factor, blob.scale * factor };
+    }
+  }
+  return {};
+}
+
 double
 ChooseBlobThreshold(std::vector<double> responses)
 {

@@ -76,7 +76,8 @@ public:
     const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
     const double      triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectImageFaces(m_Volume, mesh.walls);
-    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea / std::sqrt(3.0)), m_ParallelFor);
+    // An equilateral triangle of this area has edges as long as this.
+    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
     const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
     statistics.unfittedCorners = static_cast<std::int64_t>(unfitted.size());
     statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);

@@ -51,9 +51,9 @@ public:
   void
   Push(HalfEdge h)
   {
-    if (m_Patch.Twin(h) > h)
+    if (m_Patch.Twin(h) != WallPatch::None)
     {
-      m_Edges.emplace(this->LengthOf(h), h);
+      m_Edges.emplace(this->LengthOf(h), std::max(h, m_Patch.Twin(h)));
     }
   }
 
@@ -66,7 +66,7 @@ public:
       const auto [length, h] = m_Edges.top();
       m_Edges.pop();
       // A half-edge that was split goes on as a shorter one.
-      if (length == this->LengthOf(h) && m_Patch.Twin(h) > h)
+      if (length == this->LengthOf(h))
       {
         return h;
       }
@@ -97,10 +97,8 @@ SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
     const Point             middle = 0.5 * (patch.PointAt(patch.From(h)) + patch.PointAt(patch.To(h)));
     const WallPatch::Vertex v = patch.Split(h, middle);
     patch.ForEachAround(v, [&](WallPatch::HalfEdge around) {
-      for (const WallPatch::HalfEdge side : { around, WallPatch::Next(around) })
-      {
-        edges.Push(std::min(side, patch.Twin(side)));
-      }
+      edges.Push(around);
+      edges.Push(WallPatch::Next(around));
     });
   }
   patch.Compact();

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace tissue;
@@ -48,6 +49,26 @@ TEST(BlobSelection, ThresholdOfLessThanTwoIsZero)
   EXPECT_EQ(ChooseBlobThreshold({}), 0.0);
   EXPECT_EQ(ChooseBlobThreshold({ 5.0 }), 0.0);
   EXPECT_EQ(ChooseBlobThreshold({ 5.0, 0.01 }), 0.0); // far too weak to count
+}
+
+TEST(BlobSelection, ScalesAreThoseThatExplainTheImage)
+{
+  std::vector<Blob> maxima;
+  for (int i = 0; i < 2000; ++i)
+  {
+    maxima.push_back({ {}, 0.3, 10.0 }); // noise
+  }
+  for (int i = 0; i < 50; ++i)
+  {
+    maxima.push_back({ {}, 2.0 + 0.01 * (i % 3 - 1), 30.0 });
+  }
+  maxima.push_back({ {}, 9.0, 5.0 }); // a group
+  const BlobScaleRange range = ChooseBlobScales(maxima);
+  EXPECT_NEAR(range.minimum, 1.0, 0.01);
+  EXPECT_NEAR(range.maximum, 4.0, 0.04);
+  std::reverse(maxima.begin(), maxima.end());
+  EXPECT_EQ(ChooseBlobScales(maxima).minimum, range.minimum);
+  EXPECT_EQ(ChooseBlobScales({}).maximum, 0.0);
 }
 
 TEST(BlobSelection, TheWeakerOfTwoThatOverlapIsDropped)

@@ -39,6 +39,13 @@ TEST(CrossingGuard, FindsTrianglesThatCross)
   EXPECT_EQ(tissue::FindCrossings(MakeTwoTriangles(1.0)).size(), 1u);
 }
 
+TEST(CrossingGuard, FindsThoseOfSomeWallsAlone)
+{
+  const tissue::WallMesh mesh = MakeTwoTriangles(0.0);
+  EXPECT_TRUE(tissue::FindCrossingsOfWalls(mesh, {}).empty());
+  EXPECT_EQ(tissue::FindCrossingsOfWalls(mesh, { 1 }), tissue::FindCrossings(mesh));
+}
+
 TEST(CrossingGuard, SharedPointsAreNoCrossing)
 {
   const std::vector<Point> points{ { { 0, 0, 0 } },  { { 2, 0, 0 } },      { { 0, 2, 0 } },

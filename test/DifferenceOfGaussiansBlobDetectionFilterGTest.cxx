@@ -9,12 +9,14 @@
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkSyntheticNucleiImageFilter.h"
 #include "itkSyntheticTissueImageSource.h"
+#include "TissueTessellationCore/Random.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -190,7 +192,11 @@ TEST(DifferenceOfGaussiansBlobDetectionFilter, OverlapAndBorderMarginAndThreshol
   EXPECT_GT(strong->GetUsedThreshold(), 0.0);
 }
 
-TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsSyntheticNucleiForAnyNumberOfThreads)
+/** The two scales. */
+class SyntheticNuclei : public ::testing::TestWithParam<std::pair<double, double>>
+{};
+
+TEST_P(SyntheticNuclei, AreFoundForAnyNumberOfThreads)
 {
   using LabelImage = itk::Image<unsigned short, 3>;
   const auto   tissue = itk::SyntheticTissueImageSource<LabelImage>::New();
@@ -218,8 +224,8 @@ TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsSyntheticNucleiForAnyNumberO
   {
     const auto detection = DetectionType::New();
     detection->SetInput(stain->GetOutput());
-    detection->SetMinimumScale(1.5);
-    detection->SetMaximumScale(6.0);
+    detection->SetMinimumScale(GetParam().first);
+    detection->SetMaximumScale(GetParam().second);
     detection->SetNumberOfWorkUnits(workUnits);
     detection->Update();
     detections.push_back(detection);
@@ -252,6 +258,31 @@ TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsSyntheticNucleiForAnyNumberO
   EXPECT_LT(errors / found, 0.5 * std::cbrt(3.0));
 }
 
+INSTANTIATE_TEST_SUITE_P(GivenAndFoundScales, SyntheticNuclei,
+                         ::testing::Values(std::make_pair(1.5, 6.0), std::make_pair(0.0, 0.0)));
+
+TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsTheScalesOfBlobsInNoise)
+{
+  tissue::Random random(1);
+  const auto     image = MakeImage([&](const PointType & p) {
+    double value = 0.5 * random.Uniform();
+    for (const double x : { 10.0, 24.0, 38.0 })
+    {
+      for (const double y : { 10.0, 24.0, 38.0 })
+      {
+        value += Gaussian(p, Middle(x, y, 12.0), 3.3);
+      }
+    }
+    return value;
+  });
+  const auto     filter = MakeFilter(image, 0.0, 0.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 9u);
+  const double scale = std::sqrt(2.0 / 3.0) * 3.3;
+  EXPECT_NEAR(filter->GetUsedMinimumScale(), 0.5 * scale, 0.1 * scale);
+  EXPECT_NEAR(filter->GetUsedMaximumScale(), 2.0 * scale, 0.4 * scale);
+}
+
 TEST(DifferenceOfGaussiansBlobDetectionFilter, ReportsProgressOfTheWhole)
 {
   const auto filter = MakeFilter(MakeImage([](const PointType & p) { return Gaussian(p, Middle(), 3.0); }));
@@ -282,6 +313,7 @@ TEST(DifferenceOfGaussiansBlobDetectionFilter, RefusesWhatHasNoScaleSpace)
   EXPECT_THROW(MakeFilter(image, 2.0, 49.0)->Update(), itk::ExceptionObject);
   EXPECT_THROW(MakeFilter(image, 3.0, 2.0)->Update(), itk::ExceptionObject);
   EXPECT_THROW(MakeFilter(image, 0.0, 2.0)->Update(), itk::ExceptionObject);
+  EXPECT_THROW(MakeFilter(image, 2.0, 0.0)->Update(), itk::ExceptionObject);
 }
 
 TEST(DifferenceOfGaussiansBlobDetectionFilter, AnImageWithoutBlobsGivesNone)

@@ -8,6 +8,7 @@
 #include "TissueTessellationCore/TissueReconstruction.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/VolumeFitting.h"
+#include "itkCellWallMeshEvaluationCalculator.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
 #include "SyntheticTestTissue.h"
@@ -182,6 +183,39 @@ TEST_P(FittedLaguerreTissue, HasItsCornersWallsAndVolumes)
 }
 
 INSTANTIATE_TEST_SUITE_P(Geometries, FittedLaguerreTissue, ::testing::Values(false, true));
+
+TEST(FittedWalls, FollowACellThatIsBentRoundOthers)
+{
+  const std::vector<Seed> seeds = MakeSeeds();
+  const auto              image = Voxelize(seeds, false);
+  // Two thirds of the outermost cells' ring about the z-axis becomes one cell.
+  std::vector<unsigned short> labels(seeds.size() + 1, 0);
+  unsigned short              ring = 0;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    const Point & p = seeds[i].position;
+    const bool    isInRing = std::hypot(p[0], p[1]) > 14.0 && std::abs(p[2]) < 14.0 && p[0] < 9.0;
+    labels[i + 1] = static_cast<unsigned short>(i + 1);
+    if (isInRing)
+    {
+      ring = ring == 0 ? labels[i + 1] : ring;
+      labels[i + 1] = ring;
+    }
+  }
+  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  {
+    it.Set(labels[it.Get()]);
+  }
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->Update();
+  const auto evaluation = itk::CellWallMeshEvaluationCalculator<ImageType>::New();
+  evaluation->SetMesh(filter->GetOutput());
+  evaluation->SetImage(image);
+  evaluation->Compute();
+  EXPECT_LT(evaluation->GetEvaluation().distance.InVoxels(evaluation->GetEvaluation().distance.mean), 0.8);
+  EXPECT_TRUE(tissue::FindCrossings(filter->GetOutput()->GetWallMesh()).empty());
+}
 
 TEST(FittedWalls, AreTheSameForAnyNumberOfThreads)
 {

@@ -212,8 +212,7 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
     };
   const std::string four = "x,y,z\n0,0,0\n5,0,1\n0,5,0\n0,1,5\n";
   this->ExpectRefusal("none.csv walls.vtp", { "none.csv: no such file" });
-  this->ExpectRefusal("points.txt walls.vtp",
-                      { "points.txt: an image of nuclei needs --minimumScale and --maximumScale" });
+  refuse(four, { "bad.txt: not an image in a format that ITK reads" }, "bad.txt");
   refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });

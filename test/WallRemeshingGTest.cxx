@@ -8,7 +8,9 @@
 
 #include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/TriangleQuality.h"
+#include "TissueTessellationCore/PatchMeasures.h"
 #include "TissueTessellationCore/WallLines.h"
+#include "TissueTessellationCore/WallPieces.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
 #include "TissueTessellationCore/WallRemeshing.h"
 
@@ -233,4 +235,25 @@ TEST(WallRemeshing, RefusesLengthsThatAreNotOneForEachWallAndPositive)
   EXPECT_THROW(SubdivideLines(mesh, { 1.0 }), std::invalid_argument);
   EXPECT_THROW(SubdivideLines(mesh, AllOf(mesh, NaN)), std::invalid_argument);
   EXPECT_THROW(ChooseEdgeLengths(mesh, 0.0), std::invalid_argument);
+}
+
+TEST(WallRemeshing, SubdividedWallsStayWhereTheyAre)
+{
+  const WallMesh star = LatticeTissue(3);
+  WallMesh       mesh = star;
+  SubdivideLines(mesh, AllOf(mesh, 0.2));
+  const WallMesh cut = mesh;
+  SubdivideWalls(mesh, AllOf(mesh, 0.1), RunBackwards);
+  ExpectSound(mesh, 54);
+  EXPECT_GT(mesh.triangles.size(), 2 * cut.triangles.size());
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  const std::vector<std::size_t> firstOfCut = FirstTrianglesOfWalls(cut);
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    const WallPatch before = MakePatch(cut, CutOutWall(cut, firstOfCut[w], firstOfCut[w + 1]));
+    const WallPatch after = MakePatch(mesh, CutOutWall(mesh, first[w], first[w + 1]));
+    EXPECT_NEAR(AreaOf(after), AreaOf(before), 1e-9 * AreaOf(before));
+    EXPECT_EQ(after.NumberOfInteriorVertices(),
+              std::max(1, NumberOfInteriorPoints(AreaOf(before), 0.1, before.OutlineSize())));
+  }
 }

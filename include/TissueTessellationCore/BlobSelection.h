@@ -28,6 +28,21 @@ struct Blob
 double
 BlobRadius(double scale);
 
+/** Scales of the smallest and the largest blobs. */
+struct BlobScaleRange
+{
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+/** \brief The scales of the blobs that an image is made of, from all maxima of its scale space, most of which may be
+ * noise, the texture of the blobs, or groups of them.
+ *
+ * Half and twice the median scale, where each maximum counts by response^2 scale^3: what it explains of the image's
+ * variance. That of noise falls by the third power of the scale. Both are 0 where there is no maximum. */
+BlobScaleRange
+ChooseBlobScales(std::vector<Blob> maxima);
+
 /** \brief The response that parts blobs from noise, from the responses of all maxima, most of which may be noise.
  *
  * Otsu's threshold (N. Otsu 1979, doi:10.1109/TSMC.1979.4310076) of the responses' logarithms, of those above a

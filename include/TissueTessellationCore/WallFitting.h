@@ -26,7 +26,7 @@ struct WallFittingStatistics
   /** Pairs of triangles of the first star that crossed, and those that no search could part. */
   std::int64_t untangledPairs = 0;
   std::int64_t crossingPairs = 0;
-  /** Walls that stay a star, as their triangles would cross others if remeshed. */
+  /** Walls that stay a subdivided star or outline at first, as their triangles would cross if remeshed. */
   std::int64_t starWalls = 0;
 };
 
@@ -34,9 +34,9 @@ struct WallFittingStatistics
  * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
  * crossing unless the statistics say so.
  *
- * `trianglesPerCell`, each triangle counted once, is approached from below; 0: the stars alone, whose points are the
- * corners, then the walls' centres. Deterministic for any `parallelFor`. \throws Aborted where `progress`
- * asks to stop. */
+ * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
+ * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
+ * `parallelFor`. \throws Aborted where `progress` asks to stop. */
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,

@@ -57,8 +57,9 @@ class LabelImageToCellWallMeshFilterTest(unittest.TestCase):
         np.testing.assert_array_equal(np.unique(self.triangles), np.arange(len(self.points)))
 
     def test_points_lie_on_the_tissue(self):
-        # The box's voxels end at 2.5 and 38.5: walls that keep the volume of rounded edges bulge by up to a voxel.
-        low, high = ORIGIN + 1.5 * SPACING, ORIGIN + 39.5 * SPACING
+        # The box's voxels end at 2.5 and 38.5: walls that keep the volume of rounded edges bulge, by a voxel
+        # and a half at most.
+        low, high = ORIGIN + 1.0 * SPACING, ORIGIN + 40.0 * SPACING
         self.assertTrue(((self.points > low) & (self.points < high)).all())
 
     def test_label_pairs_are_those_of_the_image_with_the_exterior_second(self):
