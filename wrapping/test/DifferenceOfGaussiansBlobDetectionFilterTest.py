@@ -43,9 +43,7 @@ class DifferenceOfGaussiansBlobDetectionFilterTest(unittest.TestCase):
         for pixel_type in (np.uint8, np.uint16, np.float32):
             with self.subTest(pixel_type=pixel_type):
                 image = to_itk(draw_blobs(pixel_type))
-                self.check_positions(
-                    itk.difference_of_gaussians_blob_detection_filter(image, minimum_scale=1, maximum_scale=3)
-                )
+                self.check_positions(itk.difference_of_gaussians_blob_detection_filter(image))
 
     def test_scales_and_responses_are_those_of_the_blobs(self):
         image = to_itk(draw_blobs(np.float32))
@@ -57,6 +55,7 @@ class DifferenceOfGaussiansBlobDetectionFilterTest(unittest.TestCase):
         np.testing.assert_allclose(scales, SCALE * np.sqrt(2 / 3), rtol=0.1)
         np.testing.assert_allclose(responses / responses[0], BRIGHTNESS / BRIGHTNESS[0], rtol=0.05)
         self.assertGreaterEqual(responses.min(), detection.GetUsedThreshold())
+        self.assertEqual(detection.GetUsedMinimumScale(), 1)
 
     def test_dark_blobs_and_thresholds(self):
         image = to_itk(255 - draw_blobs(np.uint8))
@@ -67,7 +66,7 @@ class DifferenceOfGaussiansBlobDetectionFilterTest(unittest.TestCase):
 
     def test_errors_reach_python(self):
         with self.assertRaisesRegex(RuntimeError, "scales"):
-            itk.difference_of_gaussians_blob_detection_filter(to_itk(draw_blobs(np.uint8)))
+            itk.difference_of_gaussians_blob_detection_filter(to_itk(draw_blobs(np.uint8)), minimum_scale=1)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ class PointSetToTissueLabelImageFilterTest(unittest.TestCase):
     def setUpClass(cls):
         cls.centers = make_centers()
         cls.nuclei = draw_nuclei(cls.centers)
-        cls.points = itk.difference_of_gaussians_blob_detection_filter(cls.nuclei, minimum_scale=1, maximum_scale=3)
+        cls.points = itk.difference_of_gaussians_blob_detection_filter(cls.nuclei)
         cls.labels = itk.point_set_to_tissue_label_image_filter(cls.points, reference_image=cls.nuclei)
 
     def test_every_cell_holds_its_nucleus(self):
