@@ -78,16 +78,7 @@ public:
     m_Faces = CollectImageFaces(m_Volume, mesh.walls);
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
-    const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
-    statistics.unfittedCorners = static_cast<std::int64_t>(unfitted.size());
-    statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
-    for (const std::size_t corner : unfitted)
-    {
-      for (const VertexId v : tetrahedra[corner])
-      {
-        ++statistics.unfittedCornersOfCell[v];
-      }
-    }
+    this->CountUnfitted(complex, unfitted, statistics);
     statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
     statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
     statistics.untangledPairs -= statistics.crossingPairs;
@@ -140,6 +131,22 @@ public:
   }
 
 private:
+  void
+  CountUnfitted(const AdjacencyComplex & complex, const std::vector<std::size_t> & corners,
+                WallFittingStatistics & statistics) const
+  {
+    const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+    statistics.unfittedCorners = static_cast<std::int64_t>(corners.size());
+    statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
+    for (const std::size_t corner : corners)
+    {
+      for (const VertexId v : tetrahedra[corner])
+      {
+        ++statistics.unfittedCornersOfCell[v];
+      }
+    }
+  }
+
   /** Each wall's centre goes towards the centroid of the image's wall, as far as nothing crosses. */
   void
   LiftCenters(WallMesh & mesh) const
