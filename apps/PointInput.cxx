@@ -24,7 +24,8 @@ namespace tissue
 {
 namespace
 {
-using PointSetType = itk::PointSet<double, 3>;
+// Its default coordinates are floats.
+using PointSetType = itk::PointSet<double, 3, itk::DefaultStaticMeshTraits<double, 3, 3, double>>;
 
 /** Centres of cells by ascending labels. */
 struct LabelledPoints
