@@ -121,6 +121,12 @@ TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
   {
     EXPECT_EQ(m_Output.find(ofImage), std::string::npos) << m_Output;
   }
+  EXPECT_TRUE(alone["warnings"].empty());
+  const auto unused =
+    this->RunAndReport("points.csv walls.vtp --preset paper --box tissue.mha --junctions j.csv")["warnings"];
+  ASSERT_EQ(unused.size(), 2u);
+  EXPECT_EQ(unused[0], "--box is not used: --preset paper makes walls of the points alone");
+  EXPECT_EQ(unused[1], "--junctions: points alone have none in an image, the table is empty");
   const auto fitted = this->RunAndReport("points.csv walls.vtp --refinement 0");
   EXPECT_GT(fitted["stages"]["optimized"]["adjacency4"], 0.5);
   EXPECT_GT(fitted["input"]["walls"], 0);
