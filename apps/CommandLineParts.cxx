@@ -97,6 +97,12 @@ AddEvaluationOption(CLI::App & app, TissueTessellationOptions & options)
       "--evaluateAgainst", options.evaluateAgainst, "Label image that judges every stage of the complex, in the report")
     ->type_name("FILE")
     ->group("Further outputs");
+  app
+    .add_flag("--evaluateByLabel",
+              options.evaluateByLabel,
+              "Its cells are those of the same labels; otherwise those that hold the cells' centres")
+    ->needs("--evaluateAgainst")
+    ->group("Further outputs");
 }
 
 void

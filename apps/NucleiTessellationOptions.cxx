@@ -104,6 +104,7 @@ ToJson(const NucleiTessellationOptions & options)
   json["box"] = options.box;
   json["voxelsPerCell"] = options.voxelsPerCell;
   json["evaluateAgainst"] = options.evaluateAgainst;
+  json["evaluateByLabel"] = options.evaluateByLabel;
   AddToJson(options.membrane, json);
   AddToJson(options.parameters, json);
   return json;

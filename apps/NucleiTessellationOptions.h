@@ -22,7 +22,7 @@ struct NucleiTessellationOptions : TissueTessellationOptions
   /** How the nuclei are found, if their image is given in place of points. */
   DetectionOptions detection;
   /** Of the label image made of the points. */
-  double voxelsPerCell = 1000.0;
+  double voxelsPerCell = 4000.0;
 };
 
 /** As ParseCommandLine(). */

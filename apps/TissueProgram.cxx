@@ -139,7 +139,10 @@ RunTissueProgram(const std::string & program, const TissueTessellationOptions & 
     // Cells of the judge itself are known by their labels.
     std::error_code isOther;
     const bool      isItself = std::filesystem::equivalent(options.MainInput(), options.evaluateAgainst, isOther);
-    judge = ReadJudge(options.evaluateAgainst, result.input.junctions->GetJunctionSet().cells, isItself, progress);
+    judge = ReadJudge(options.evaluateAgainst,
+                      result.input.junctions->GetJunctionSet().cells,
+                      isItself || options.evaluateByLabel,
+                      progress);
   }
   const ReconstructionReport report{ program,
                                      options,

@@ -123,6 +123,7 @@ ToJson(const TissueTessellationOptions & options)
   json["spacing"] = options.spacing ? nlohmann::ordered_json(*options.spacing) : "of the image";
   json["closeGaps"] = options.closeGaps ? nlohmann::ordered_json(*options.closeGaps) : "off";
   json["evaluateAgainst"] = options.evaluateAgainst;
+  json["evaluateByLabel"] = options.evaluateByLabel;
   AddToJson(options.membrane, json);
   AddToJson(options.parameters, json);
   return json;

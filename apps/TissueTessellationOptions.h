@@ -52,6 +52,7 @@ struct TissueTessellationOptions
   MembraneOptions membrane;
   /** A label image that judges the stages of the complex; empty: none. */
   std::string evaluateAgainst;
+  bool        evaluateByLabel = false;
   /** Further files that are read. */
   std::vector<std::string> otherInputs;
 

@@ -56,9 +56,11 @@ public:
   void
   SetMesh(const CellWallMesh * mesh);
 
-  /** In place of SetMesh(). */
+#ifndef ITK_WRAPPING_PARSER
+  /** In place of SetMesh(), for C++. */
   void
   SetTriangles(TrianglesType triangles);
+#endif
 
   /** The junctions of the image, of who has them already. Default: none, which extracts them. */
   itkSetConstObjectMacro(Junctions, TissueJunctions);
@@ -89,7 +91,33 @@ public:
   void
   Compute();
 
-  /** All that was found. \throws ExceptionObject before Compute(). */
+  /** The main figures of the evaluation, as tissue::TissueMeshEvaluation has them; a mean is -1 where there is nothing
+   * to measure. \throws ExceptionObject before Compute(). */
+  double
+  GetAdjacency2() const;
+  double
+  GetAdjacency4() const;
+  SizeValueType
+  GetNumberOfCells() const;
+  SizeValueType
+  GetNumberOfClosedCells() const;
+  SizeValueType
+  GetNumberOfCrowdedCorners() const;
+  SizeValueType
+  GetNumberOfCrossings() const;
+  double
+  GetMeanVolumeError() const;
+  double
+  GetMeanWallDistance() const;
+  double
+  GetMeanTriangleQuality() const;
+  double
+  GetMeanDice() const;
+  double
+  GetMeanConvexity() const;
+
+#ifndef ITK_WRAPPING_PARSER
+  /** All that was found, for C++. \throws ExceptionObject before Compute(). */
   const tissue::TissueMeshEvaluation &
   GetEvaluation() const;
 
@@ -97,6 +125,7 @@ public:
    * \throws ExceptionObject before Compute(). */
   const std::vector<tissue::Cell> &
   GetCells() const;
+#endif
 
 protected:
   CellWallMeshEvaluationCalculator();

@@ -139,6 +139,83 @@ CellWallMeshEvaluationCalculator<TLabelImage>::GetCells() const
 }
 
 template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetAdjacency2() const
+{
+  return this->GetEvaluation().mesh.overlap.adjacency2;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetAdjacency4() const
+{
+  return this->GetEvaluation().mesh.overlap.adjacency4;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfCells() const
+{
+  return this->GetEvaluation().mesh.numberOfCells;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfClosedCells() const
+{
+  return this->GetEvaluation().mesh.numberOfClosedCells;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfCrowdedCorners() const
+{
+  return this->GetEvaluation().mesh.numberOfCrowdedCorners;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfCrossings() const
+{
+  return this->GetEvaluation().mesh.numberOfCrossings;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanVolumeError() const
+{
+  return this->GetEvaluation().mesh.meanVolumeError;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanWallDistance() const
+{
+  return this->GetEvaluation().distance.mean;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanTriangleQuality() const
+{
+  return this->GetEvaluation().mesh.quality.mean;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanDice() const
+{
+  return this->GetEvaluation().meanDice;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanConvexity() const
+{
+  return this->GetEvaluation().mesh.meanConvexity;
+}
+
+template <typename TLabelImage>
 void
 CellWallMeshEvaluationCalculator<TLabelImage>::PrintSelf(std::ostream & os, Indent indent) const
 {

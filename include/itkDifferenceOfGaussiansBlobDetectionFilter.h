@@ -14,6 +14,7 @@
 #include "itkPointSet.h"
 #include "itkProcessObject.h"
 #include "itkVector.h"
+#include "itkVectorContainer.h"
 #include "vnl/vnl_matrix_fixed.h"
 
 #include <array>
@@ -63,6 +64,8 @@ public:
   /** Scale and response. */
   using BlobDataType = Vector<double, 2>;
   using OutputType = PointSet<BlobDataType, 3, DefaultStaticMeshTraits<BlobDataType, 3, 3, double>>;
+
+  using BlobDataContainer = VectorContainer<IdentifierType, double>;
 
   static_assert(TInputImage::ImageDimension == 3, "A tissue has three dimensions.");
 
@@ -123,6 +126,14 @@ public:
   itkGetConstMacro(UsedThreshold, double);
   itkGetConstMacro(UsedMinimumScale, double);
   itkGetConstMacro(UsedMaximumScale, double);
+
+  /** Scale and response of every blob, a copy of the output's point data as one flat array; valid after the update. In
+   * Python it becomes a NumPy array:
+   *
+   *     points = itk.array_from_vector_container(filter.GetOutput().GetPoints())
+   *     scales, responses = itk.array_from_vector_container(filter.GetBlobData()).reshape(-1, 2).T */
+  typename BlobDataContainer::Pointer
+  GetBlobData() const;
 
   using Superclass::MakeOutput;
   DataObjectPointer

@@ -142,6 +142,22 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GetOutput() const -> cons
 }
 
 template <typename TInputImage>
+auto
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GetBlobData() const -> typename BlobDataContainer::Pointer
+{
+  const auto container = BlobDataContainer::New();
+  if (const auto * const data = this->GetOutput()->GetPointData())
+  {
+    for (auto it = data->Begin(); it != data->End(); ++it)
+    {
+      container->push_back(it.Value()[0]);
+      container->push_back(it.Value()[1]);
+    }
+  }
+  return container;
+}
+
+template <typename TInputImage>
 ProcessObject::DataObjectPointer
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::MakeOutput(ProcessObject::DataObjectPointerArraySizeType)
 {

@@ -71,7 +71,7 @@ public:
   itkSetInputMacro(ReferenceImage, ReferenceImageType);
   itkGetInputMacro(ReferenceImage, ReferenceImageType);
 
-  /** Voxels a cell of the output, about; at least 50. Default: 1000. */
+  /** Voxels a cell of the output, about; at least 50. The fit takes no more than 1000. Default: 4000. */
   itkSetMacro(VoxelsPerCell, double);
   itkGetConstMacro(VoxelsPerCell, double);
 
@@ -98,7 +98,7 @@ private:
   MakePoints() const;
 
   tissue::TissueGrid m_Grid;
-  double             m_VoxelsPerCell{ 1000.0 };
+  double             m_VoxelsPerCell{ 4000.0 };
 };
 } // namespace itk
 

@@ -9,6 +9,7 @@
 
 #include "itkDataObject.h"
 #include "itkObjectFactory.h"
+#include "itkVectorContainer.h"
 #include "TissueTessellationCore/JunctionSet.h"
 
 namespace itk
@@ -18,6 +19,12 @@ namespace itk
  *
  * Holds a tissue::JunctionSet, whose comments say what is in it. Positions, areas and volumes are in the physical space
  * of the image they were extracted from.
+ *
+ * The methods that return containers copy what they are named after to flat arrays, one tuple after the other. In
+ * Python they become NumPy arrays:
+ *
+ *     positions = itk.array_from_vector_container(junctions.GetJunctionPositions()).reshape(-1, 3)
+ *     labels = itk.array_from_vector_container(junctions.GetJunctionLabels()).reshape(-1, 4)
  *
  * \sa LabelJunctionExtractionFilter
  * \ingroup TissueTessellation
@@ -35,6 +42,32 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(TissueJunctions, DataObject);
 
+  using RealContainer = VectorContainer<IdentifierType, double>;
+  /** A negative label is there as its two's complement, as in CellWallMesh. */
+  using LabelsContainer = VectorContainer<IdentifierType, IdentifierType>;
+
+  /** Of every cell, the exterior not counted: its label, its centre x, y, z, and its volume. */
+  LabelsContainer::Pointer
+  GetCellLabels() const;
+  RealContainer::Pointer
+  GetCellCenters() const;
+  RealContainer::Pointer
+  GetCellVolumes() const;
+
+  /** Of every wall: the labels of its two cells, the exterior's first, and its area. */
+  LabelsContainer::Pointer
+  GetWallLabels() const;
+  RealContainer::Pointer
+  GetWallAreas() const;
+
+  /** Of every junction: the labels of its four cells, and its position x, y, z. */
+  LabelsContainer::Pointer
+  GetJunctionLabels() const;
+  RealContainer::Pointer
+  GetJunctionPositions() const;
+
+#ifndef ITK_WRAPPING_PARSER
+  /** All that was found, for C++. */
   const tissue::JunctionSet &
   GetJunctionSet() const
   {
@@ -47,6 +80,7 @@ public:
     m_JunctionSet = std::move(junctionSet);
     this->Modified();
   }
+#endif
 
   /** Empties the set. */
   void
@@ -82,8 +116,16 @@ protected:
   }
 
 private:
+  template <typename TVertices>
+  void
+  AppendLabels(const TVertices & vertices, LabelsContainer & container) const;
+
   tissue::JunctionSet m_JunctionSet;
 };
 } // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkTissueJunctions.hxx"
+#endif
 
 #endif

@@ -84,7 +84,8 @@ ChooseBlobThreshold(std::vector<double> responses)
   {
     return 0.0;
   }
-  double sum = 0.0;
+  const double least = responses.front();
+  double       sum = 0.0;
   for (double & response : responses)
   {
     response = std::log(response);
@@ -108,7 +109,7 @@ ChooseBlobThreshold(std::vector<double> responses)
       factor = std::exp(-difference);
     }
   }
-  return factor < leastFactor ? std::exp(responses.front()) : std::exp(0.5 * (responses[first - 1] + responses[first]));
+  return factor < leastFactor ? least : std::exp(0.5 * (responses[first - 1] + responses[first]));
 }
 
 std::vector<Blob>

@@ -20,10 +20,13 @@ constexpr double SeedStep = 0.7;
 constexpr double MetricMixing = 0.3;
 /** How much of its own shape a cell's metric takes on; from about 0.5 on shapes feed themselves. */
 constexpr double SelfAnisotropy = 0.3;
+/** By how much less where the seeds are drawn back all the way: cells of displaced points have their shapes from that.
+ */
+constexpr double RelaxedShare = 0.5;
 
 /** The logarithm of a cell's metric: against its shape, of whatever size it is. */
 Metric
-LogMetric(const Metric & covariance)
+LogMetric(const Metric & covariance, double anisotropy)
 {
   Metric       log = MapEigenvalues(covariance, [](double value) { return std::log(value); });
   const double mean = (log[0] + log[3] + log[5]) / 3.0;
@@ -33,7 +36,7 @@ LogMetric(const Metric & covariance)
   }
   for (double & value : log)
   {
-    value *= -SelfAnisotropy;
+    value *= -anisotropy;
   }
   return log;
 }
@@ -70,7 +73,7 @@ CentroidFit::Adapt(std::size_t cell, const CellMoments & moments, double relaxat
   position = position + SeedStep * (m_Points[cell] - moments.mean);
   position = position + relaxation * (m_Points[cell] - position);
   Metric &     log = m_LogMetrics[cell];
-  const Metric target = LogMetric(moments.covariance);
+  const Metric target = LogMetric(moments.covariance, SelfAnisotropy * (1.0 - RelaxedShare * relaxation));
   for (std::size_t k = 0; k < target.size(); ++k)
   {
     log[k] += MetricMixing * (target[k] - log[k]);

@@ -11,6 +11,7 @@
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tissue
 {
@@ -174,17 +175,50 @@ FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
 std::vector<TrianglePair>
 FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const ParallelFor & parallelFor)
 {
+  constexpr double           infinity = std::numeric_limits<double>::infinity();
+  const Box                  nothing{ { { infinity, infinity, infinity } }, { { -infinity, -infinity, -infinity } } };
+  std::vector<Box>           boxOf(mesh.walls.size(), nothing);
   std::vector<unsigned char> isOf(mesh.walls.size(), 0);
   for (const WallId wall : walls)
   {
     isOf[wall] = 1;
   }
-  std::vector<unsigned char> isMarked;
-  for (const WallId wall : mesh.wallOfTriangle)
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    isMarked.push_back(isOf[wall]);
+    const WallId wall = mesh.wallOfTriangle[t];
+    for (const PointId p : mesh.triangles[t])
+    {
+      if (isOf[wall] != 0)
+      {
+        Extend(boxOf[wall], mesh.points[p]);
+      }
+    }
   }
-  return FindCrossingsOfMarked(mesh, isMarked, parallelFor);
+  // They are few: of all other triangles only those that are near them count.
+  WallMesh                   near;
+  std::vector<unsigned char> isMarked;
+  std::vector<std::int32_t>  numbers;
+  near.points = mesh.points;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    Box box = nothing;
+    for (const PointId p : mesh.triangles[t])
+    {
+      Extend(box, mesh.points[p]);
+    }
+    if (std::any_of(walls.begin(), walls.end(), [&](WallId wall) { return Overlap(boxOf[wall], box); }))
+    {
+      near.triangles.push_back(mesh.triangles[t]);
+      isMarked.push_back(isOf[mesh.wallOfTriangle[t]]);
+      numbers.push_back(static_cast<std::int32_t>(t));
+    }
+  }
+  std::vector<TrianglePair> crossings = FindCrossingsOfMarked(near, isMarked, parallelFor);
+  for (TrianglePair & pair : crossings)
+  {
+    pair = { { numbers[pair[0]], numbers[pair[1]] } };
+  }
+  return crossings;
 }
 
 std::int64_t

@@ -23,6 +23,8 @@ namespace tissue
 namespace
 {
 constexpr double LeastVoxelsPerCell = 50.0;
+/** More make the fit no better, only the labels that come of it. */
+constexpr double VoxelsPerCellOfFit = 1000.0;
 /** The cube of the mean distance of the eight nearest is so many times the volume of a cell, in plant tissues. */
 constexpr double CubedSpacingOfCell = 1.17;
 constexpr int    NumberOfRounds = 5;
@@ -39,8 +41,8 @@ constexpr std::size_t LeastInnerCells = 20;
 double
 RelaxationOf(double shift)
 {
-  constexpr double shiftOfExactPoints = 0.125;
-  constexpr double growth = 10.0;
+  constexpr double shiftOfExactPoints = 0.12;
+  constexpr double growth = 15.0;
   return std::clamp(growth * (shift - shiftOfExactPoints), 0.0, 1.0);
 }
 
@@ -90,6 +92,14 @@ RefusePointsOutside(const std::vector<Point> & points, const TissueGrid & grid)
                                   " is outside of the box from " + ToText(box.lower) + " to " + ToText(box.upper));
     }
   }
+}
+
+/** The grid to fit cells in: the same box, no more than enough points. */
+TissueGrid
+FitGridOf(const std::vector<Point> & points, const TissueGrid & grid)
+{
+  const TissueGrid enough = MakePointGrid(points, BoxOf(grid), VoxelsPerCellOfFit);
+  return enough.NumberOfPoints() < grid.NumberOfPoints() ? enough : grid;
 }
 
 double
@@ -187,12 +197,13 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
 {
   RefusePointsOutOfRange(points);
   RefusePointsOutside(points, grid);
-  TissueSurface surface(points, BoxOf(grid));
-  CentroidFit   fit(points);
-  TissueSamples samples = SampleMask(surface.MakeMask(grid, parallelFor));
-  const int     numberOfSweeps = NumberOfRounds * SweepsPerRound + LastSweeps;
-  int           sweeps = 0;
-  const auto    sweep = [&](double relaxation) {
+  TissueSurface    surface(points, BoxOf(grid));
+  CentroidFit      fit(points);
+  const TissueGrid fitGrid = FitGridOf(points, grid);
+  TissueSamples    samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
+  const int        numberOfSweeps = NumberOfRounds * SweepsPerRound + LastSweeps;
+  int              sweeps = 0;
+  const auto       sweep = [&](double relaxation) {
     fit.Sweep(samples, relaxation, parallelFor);
     Report(progress, static_cast<double>(++sweeps) / (numberOfSweeps + 1));
   };
@@ -203,12 +214,16 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
       sweep(0.0);
     }
     surface.Follow(fit.GetSeeds());
-    samples = SampleMask(surface.MakeMask(grid, parallelFor));
+    samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
   }
   const double relaxation = RelaxationOf(MedianShift(fit, points, surface));
   for (int i = 0; i < LastSweeps; ++i)
   {
     sweep(relaxation);
+  }
+  if (fitGrid.NumberOfPoints() < grid.NumberOfPoints())
+  {
+    samples = SampleMask(surface.MakeMask(grid, parallelFor));
   }
   const auto                cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, parallelFor);
   std::vector<std::int32_t> labels(grid.NumberOfPoints(), 0);

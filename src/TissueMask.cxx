@@ -56,12 +56,14 @@ public:
     });
   }
 
-  /** Balls, the radius of each linear between the corners' depths, so close that no grid point falls between. */
+  /** Balls, the radius of each linear between the corners' depths, so close that no grid point falls between, or what
+   * falls between is less than a seventieth of the radius deep. */
   void
   AddTriangle(const Solid & solid)
   {
     const auto & c = solid.corners;
-    const double step = std::min({ m_Mask.grid.steps[0], m_Mask.grid.steps[1], m_Mask.grid.steps[2] });
+    const double step = std::max(std::min({ m_Mask.grid.steps[0], m_Mask.grid.steps[1], m_Mask.grid.steps[2] }),
+                                 *std::min_element(solid.depths.begin(), solid.depths.end()) / 3.0);
     const double longest = std::max({ Distance(c[0], c[1]), Distance(c[1], c[2]), Distance(c[2], c[0]) });
     const int    n = std::max(1, static_cast<int>(std::ceil(longest / step)));
     for (int i = 0; i <= n; ++i)

@@ -83,6 +83,27 @@ TEST_F(NucleiTessellationApp, MakesSoundWallsOfPointsByBothWays)
   }
 }
 
+TEST_F(NucleiTessellationApp, JudgesCellsByTheirPlacesOrByTheirLabels)
+{
+  const tissue::Label last = m_Points.rbegin()->first;
+  std::ofstream       file(this->PathOf("turned.csv"));
+  file << "label,x,y,z\n" << std::setprecision(17);
+  for (const auto & [label, p] : m_Points)
+  {
+    const tissue::Label other = label == last ? m_Points.begin()->first : m_Points.upper_bound(label)->first;
+    file << other << ',' << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+  }
+  file.close();
+  const std::string rest = " walls.vtp --preset paper --evaluateAgainst tissue.mha";
+  const auto        adjacency2 = [&](const std::string & points, const std::string & options) {
+    return this->RunAndReport(points + rest + options)["evaluation"]["delaunay"]["adjacency2"].get<double>();
+  };
+  EXPECT_EQ(adjacency2("points.csv", " --evaluateByLabel"), adjacency2("points.csv", ""));
+  EXPECT_GT(adjacency2("turned.csv", ""), 0.6);
+  EXPECT_LT(adjacency2("turned.csv", " --evaluateByLabel"), 0.6);
+  this->ExpectRefusal("points.csv walls.vtp --evaluateByLabel", { "--evaluateAgainst" });
+}
+
 TEST_F(NucleiTessellationApp, PaperPresetMakesTheComplexMoreRegular)
 {
   // Table 2 of the paper.
@@ -216,7 +237,7 @@ TEST_F(NucleiTessellationApp, MembranesBesideThePointsAndAloneAgreeWithTheTissue
   this->WriteImage(tissue_test::MakeMembraneImage<unsigned char>(m_Tissue.GetPointer()).GetPointer(), "membrane.mha");
   const std::string rest = " walls.vtp --refinement 0 --evaluateAgainst tissue.mha";
   const auto        with = this->RunAndReport("points.csv --membrane membrane.mha" + rest);
-  EXPECT_GT(with["evaluation"]["optimized"]["adjacency4"], with["evaluation"]["cleaned"]["adjacency4"]);
+  EXPECT_GT(with["evaluation"]["optimized"]["adjacency4"], with["evaluation"]["delaunay"]["adjacency4"]);
   EXPECT_GT(with["evaluation"]["optimized"]["adjacency4"], 0.4);
   m_Program = TISSUE_TESSELLATION_PROGRAM;
   const auto alone = this->RunAndReport("--membrane membrane.mha" + rest);

@@ -1,5 +1,5 @@
 # ITK's own Python wrapping of this module, which needs an ITK build tree: an inner build in that mode, from the base that
-# wrapping/debian/make-base makes, then the test of wrapping/test on what it built.
+# wrapping/debian/make-base makes, then the tests of wrapping/test on what it built.
 find_file(TissueTessellation_PYTHON_BASE NAMES itk-python-base.tar.xz itk-5.2.1-python-base.tar.xz
   PATHS "${PROJECT_SOURCE_DIR}/.itk-python" "${PROJECT_SOURCE_DIR}/../shared/wrapping" NO_DEFAULT_PATH
   DOC "Packed ITK build tree with Python wrapping, made by wrapping/debian/make-base; without it its test is skipped")
@@ -37,5 +37,5 @@ add_test(NAME PythonWrapping COMMAND ${CMAKE_CTEST_COMMAND}
   --build-options "-DITK_DIR=${base}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
     "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}" -DBUILD_TESTING=OFF
   --test-command ${CMAKE_COMMAND} -E env "PYTHONPATH=${base}/Wrapping/Generators/Python" /usr/bin/python3
-    "${PROJECT_SOURCE_DIR}/wrapping/test/LabelImageToCellWallMeshFilterTest.py")
+    -B -m unittest discover -s "${PROJECT_SOURCE_DIR}/wrapping/test" -p "*Test.py")
 set_tests_properties(PythonWrapping PROPERTIES FIXTURES_REQUIRED PythonWrappingBase PROCESSORS 2)

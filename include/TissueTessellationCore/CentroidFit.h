@@ -19,8 +19,8 @@ namespace tissue
  * What is known of cells by their centres alone is that the centres are centroids: of all tessellations, few have their
  * cells' centroids on the points, and such a one shows more of the cells' sizes and shapes than the points' Voronoi
  * cells do. In sweeps, ten or so, each seed moves by a part of the way from its cell's centroid to its point, and its
- * metric follows the cell's shape: M = exp(- 0.3 * deviator of log covariance). Before the first sweep the
- * cells are the points' Voronoi cells. */
+ * metric follows the cell's shape: M = exp(- 0.3 * deviator of log covariance), half as much where relaxed. Before the
+ * first sweep the cells are the points' Voronoi cells. */
 class CentroidFit
 {
 public:
@@ -30,7 +30,7 @@ public:
   /** \param samples the tissue, by about 500 or more samples a cell. The seed of a cell without one goes back to its
    * point.
    * \param relaxation how far the seeds are drawn back to their points after their step: 0 where points are exact, up
-   * to 1, Voronoi cells but for the metrics, where they say little. */
+   * to 1, Voronoi cells but for half of the metrics, where they say little. */
   void
   Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor = ParallelFor());
 

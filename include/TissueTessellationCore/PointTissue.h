@@ -30,6 +30,9 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
  * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
  * seeds go for it tells how exact they are, and in the last sweeps the seeds are held back accordingly.
  *
+ * In a grid of more than 1000 points to a cell the fit takes only so many: small walls need fine labels, the fit does
+ * not.
+ *
  * Every point has a cell. The result does not depend on the number of threads.
  * \param grid of the box that is all there is of the tissue: what is outside of it is exterior, and cells may be cut by
  * its sides.
