@@ -37,6 +37,10 @@ public:
   explicit Parser(std::string text)
     : m_Text(std::move(text))
   {
+    if (m_Text.find('\0') != std::string::npos)
+    {
+      throw std::runtime_error("the text has zero bytes, must be in UTF-8: UTF-16, or no text, is not read");
+    }
     constexpr const char * mark = "\xEF\xBB\xBF";
     m_Position = m_Text.compare(0, 3, mark) == 0 ? 3 : 0;
   }

@@ -42,7 +42,8 @@ struct DelimitedText
  * first record has most often: a comma, a semicolon or a tab.
  *
  * VTK's reader of such text knows nothing of lines, which messages must name.
- * \throws std::runtime_error that names the line: a quote that is not closed, or text after a closed one. */
+ * \throws std::runtime_error that names the line: a quote that is not closed, or text after a closed one; zero bytes.
+ */
 DelimitedText
 ReadDelimitedText(std::istream & stream);
 

@@ -20,9 +20,10 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
   if (!hasLabels)
   {
     app
-      .add_option("points",
-                  options.labels,
-                  "Centres of cells or nuclei (.csv, .fcsv or .vtp), or an image of nuclei; none with --centersOf")
+      .add_option(
+        "points",
+        options.labels,
+        "Centres of cells or nuclei (.csv, .fcsv, .mrk.json or .vtp), or an image of nuclei; none with --centersOf")
       ->required()
       ->type_name("FILE");
   }

@@ -7,7 +7,8 @@
 #include "PointFile.h"
 
 #include "DelimitedText.h"
-#include "PointColumns.h"
+#include "MarkupsFile.h"
+#include "PointTableReader.h"
 
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -17,7 +18,6 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -29,114 +29,14 @@ namespace
 {
 using Fields = std::vector<std::string>;
 
-std::string
-PlaceOf(std::size_t line)
-{
-  return "line " + std::to_string(line);
-}
-
-/** What `work` returns; its errors get the line before them. */
-template <typename TWork>
-auto
-AtLine(std::size_t line, const TWork & work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const std::runtime_error & error)
-  {
-    throw std::runtime_error(PlaceOf(line) + ": " + error.what());
-  }
-}
-
-/** Adds the points of the lines of a table, which may have names for its columns. */
-class TableReader
-{
-public:
-  TableReader(const Fields & names, const PointColumns & columns)
-    : m_Names(names)
-    , m_Columns(columns)
-  {}
-
-  void
-  AddPoint(const DelimitedText::Record & record, PointFile & file) const
-  {
-    AtLine(record.line, [&] {
-      Point point{};
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        point[axis] = this->ReadCoordinate(record.fields, m_Columns.coordinates[axis]);
-      }
-      file.points.push_back(point);
-      file.places.push_back(PlaceOf(record.line));
-      if (m_Columns.label)
-      {
-        file.labels.push_back(this->ReadLabel(record.fields, *m_Columns.label));
-      }
-    });
-  }
-
-private:
-  static const std::string &
-  FieldAt(const Fields & fields, std::size_t column)
-  {
-    if (column >= fields.size())
-    {
-      throw std::runtime_error("there are " + std::to_string(fields.size()) + " columns, at least " +
-                               std::to_string(column + 1) + " are needed");
-    }
-    return fields[column];
-  }
-
-  [[noreturn]] void
-  Refuse(const std::string & text, std::size_t column, const std::string & why) const
-  {
-    throw std::runtime_error("'" + text + "' in column " + std::to_string(column + 1) +
-                             (column < m_Names.size() ? " ('" + m_Names[column] + "') " : " ") + why);
-  }
-
-  double
-  ReadCoordinate(const Fields & fields, std::size_t column) const
-  {
-    const std::string &         text = FieldAt(fields, column);
-    const std::optional<double> value = ToNumber(text);
-    if (!value)
-    {
-      this->Refuse(text, column, "is no number");
-    }
-    if (!std::isfinite(*value))
-    {
-      this->Refuse(text, column, "must be finite");
-    }
-    return *value;
-  }
-
-  Label
-  ReadLabel(const Fields & fields, std::size_t column) const
-  {
-    const std::string & text = FieldAt(fields, column);
-    Label               label = 0;
-    const auto          result = std::from_chars(text.data(), text.data() + text.size(), label);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size() || label <= 0)
-    {
-      this->Refuse(text, column, "is no whole number above 0");
-    }
-    return label;
-  }
-
-  Fields       m_Names;
-  PointColumns m_Columns;
-};
-
 /** The reader of a table whose first line may hold the names of its columns. */
-TableReader
+PointTableReader
 MakeReader(const DelimitedText::Record & first, bool hasNames)
 {
   return AtLine(first.line, [&] {
     if (hasNames)
     {
-      return TableReader(first.fields, FindPointColumns(first.fields));
+      return PointTableReader(first.fields, FindPointColumns(first.fields));
     }
     if (first.fields.size() != 3)
     {
@@ -144,7 +44,7 @@ MakeReader(const DelimitedText::Record & first, bool hasNames)
                                " columns and no line of their names before, which only three, x, y and z, can do "
                                "without");
     }
-    return TableReader({}, PointColumns());
+    return PointTableReader({}, PointColumns());
   });
 }
 
@@ -157,32 +57,14 @@ ReadCSV(std::istream & stream)
   {
     return file;
   }
-  const Fields &    first = text.records.front().fields;
-  const bool        hasNames = std::none_of(first.begin(), first.end(), [](const auto & f) { return ToNumber(f); });
-  const TableReader reader = MakeReader(text.records.front(), hasNames);
+  const Fields & first = text.records.front().fields;
+  const bool     hasNames = std::none_of(first.begin(), first.end(), [](const auto & f) { return ToNumber(f); });
+  const PointTableReader reader = MakeReader(text.records.front(), hasNames);
   for (std::size_t i = hasNames ? 1 : 0; i < text.records.size(); ++i)
   {
     reader.AddPoint(text.records[i], file);
   }
   return file;
-}
-
-/** Turns points from the system of that name into LPS. */
-void
-TurnIntoLPS(const std::string & system, PointFile & file)
-{
-  if (system == "LPS" || system == "1")
-  {
-    return;
-  }
-  if (system != "RAS" && system != "0")
-  {
-    throw std::runtime_error("the coordinate system '" + system + "' is none of LPS, 1, RAS, 0");
-  }
-  for (Point & point : file.points)
-  {
-    point = { { -point[0], -point[1], point[2] } };
-  }
 }
 
 /** Lines "id,x,y,z,...", after comments that tell the coordinate system. */
@@ -209,13 +91,13 @@ ReadMarkups(std::istream & stream)
       columns.coordinates = AtLine(comment.line, [&] { return FindPointColumns(names).coordinates; });
     }
   }
-  PointFile         file;
-  const TableReader reader(names, columns);
+  PointFile              file;
+  const PointTableReader reader(names, columns);
   for (const DelimitedText::Record & record : text.records)
   {
     reader.AddPoint(record, file);
   }
-  AtLine(system.line, [&] { TurnIntoLPS(system.text, file); });
+  AtLine(system.line, [&] { TurnIntoLPS(system.text, file.points); });
   return file;
 }
 
@@ -260,7 +142,7 @@ ReadPolyData(const std::string & path)
     file.points.push_back(point);
     file.places.push_back(place);
   }
-  TurnIntoLPS(SystemOf(reader->GetOutput()), file);
+  TurnIntoLPS(SystemOf(reader->GetOutput()), file.points);
   return file;
 }
 
@@ -278,7 +160,7 @@ bool
 IsPointFile(const std::string & path)
 {
   const std::string extension = ExtensionOf(path);
-  return extension == ".csv" || extension == ".fcsv" || extension == ".vtp";
+  return extension == ".csv" || extension == ".fcsv" || extension == ".json" || extension == ".vtp";
 }
 
 PointFile
@@ -294,6 +176,14 @@ ReadPointFile(const std::string & path)
     throw std::runtime_error("no such file, or it cannot be read");
   }
   const std::string extension = ExtensionOf(path);
-  return extension == ".vtp" ? ReadPolyData(path) : extension == ".fcsv" ? ReadMarkups(stream) : ReadCSV(stream);
+  if (extension == ".vtp")
+  {
+    return ReadPolyData(path);
+  }
+  if (extension == ".json")
+  {
+    return ReadMarkupsJson(stream);
+  }
+  return extension == ".fcsv" ? ReadMarkups(stream) : ReadCSV(stream);
 }
 } // namespace tissue

@@ -24,7 +24,7 @@ struct PointFile
   std::vector<std::string> places;
 };
 
-/** Whether the name ends in one of the extensions of a point file: .csv, .fcsv, .vtp. */
+/** Whether the name ends in one of the extensions of a point file: .csv, .fcsv, .json, .vtp. */
 bool
 IsPointFile(const std::string & path);
 
@@ -33,6 +33,7 @@ IsPointFile(const std::string & path);
  * - `.csv`: a line of column names, by FindPointColumns(), among them optionally Label; or lines of three numbers
  *   without names. Separated by commas, semicolons or tabs, with quotes, by ReadDelimitedText().
  * - `.fcsv`: markups of 3D Slicer; RAS coordinates, the default of its older versions, become LPS.
+ * - `.mrk.json`: likewise of its newer ones, by ReadMarkupsJson().
  * - `.vtp`: the points of VTK's polygonal data; those whose field array `SPACE` says RAS become LPS.
  *
  * Numbers have a decimal point, whatever the locale.

@@ -24,7 +24,8 @@ namespace tissue
 {
 namespace
 {
-using PointSetType = itk::PointSet<double, 3>;
+// Its default coordinates are floats.
+using PointSetType = itk::PointSet<double, 3, itk::DefaultStaticMeshTraits<double, 3, 3, double>>;
 
 /** Centres of cells by ascending labels. */
 struct LabelledPoints
@@ -196,6 +197,19 @@ NameCells(const LabelledPoints & points, TissueInput & input)
   junctions.cells[ExteriorVertex].label = points.exteriorLabel;
   input.junctions->SetJunctionSet(std::move(junctions));
 }
+/** Warns of options that the paper's method, from points alone, has no use for. */
+void
+WarnOfUnused(const NucleiTessellationOptions & options, TissueInput & input)
+{
+  if (!options.box.empty())
+  {
+    input.warnings.push_back("--box is not used: --preset paper makes walls of the points alone");
+  }
+  if (!options.junctions.empty())
+  {
+    input.warnings.push_back("--junctions: points alone have none in an image, the table is empty");
+  }
+}
 } // namespace
 
 TissueInput
@@ -210,6 +224,7 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
   const bool  hasMembranes = !options.membrane.file.empty();
   if (options.preset == "paper" && !hasMembranes)
   {
+    WarnOfUnused(options, input);
     input.junctions = itk::TissueJunctions::New();
     input.junctions->SetJunctionSet(std::move(cells));
     return input;

@@ -69,7 +69,7 @@ public:
   itkSetMacro(Blur, double);
   itkGetConstMacro(Blur, double);
 
-  /** Signal of a nucleus of mean brightness over the deviation of the noise there; above 0. Default 5. */
+  /** Signal of a nucleus of mean brightness over the deviation of the noise there; above 0, at most 100. Default 5. */
   itkSetMacro(SignalToNoise, double);
   itkGetConstMacro(SignalToNoise, double);
 

@@ -156,13 +156,20 @@ template <typename TLabelImage>
 void
 SyntheticNucleiImageFilter<TLabelImage>::GenerateData()
 {
-  if (!(m_RadiusShare > 0.0 && m_RadiusShare < 1.0) || !(m_SignalToNoise > 0.0) || !(m_Blur >= 0.0) ||
-      !(m_Decentering >= 0.0))
+  if (!(m_RadiusShare > 0.0 && m_RadiusShare < 1.0))
   {
-    itkExceptionMacro(<< "The radius share is " << m_RadiusShare
-                      << ", must be above 0 and below 1; the signal to noise " << m_SignalToNoise
-                      << ", must be above 0; blur " << m_Blur << " and decentering " << m_Decentering
-                      << ", must not be negative.");
+    itkExceptionMacro(<< "The radius share is " << m_RadiusShare << ", must be above 0 and below 1.");
+  }
+  // Pixels cannot hold more.
+  constexpr double most = 100.0;
+  if (!(m_SignalToNoise > 0.0 && m_SignalToNoise <= most))
+  {
+    itkExceptionMacro(<< "The signal to noise is " << m_SignalToNoise << ", must be above 0 and at most " << most);
+  }
+  if (!(m_Blur >= 0.0 && m_Blur <= most) || !(m_Decentering >= 0.0 && m_Decentering <= most))
+  {
+    itkExceptionMacro(<< "Blur is " << m_Blur << " and decentering " << m_Decentering << ", must be at least 0 and at "
+                      << "most " << most);
   }
   Nuclei     nuclei = this->PlaceNuclei();
   const auto seen = this->BlurAndCount(this->PaintNuclei(nuclei));

@@ -6,7 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/PointJunctions.h"
 
-#include <cmath>
+#include "TissueTessellationCore/PointRange.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -26,6 +27,7 @@ MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> &
     throw std::invalid_argument("There are " + std::to_string(points.size()) + " points, but " +
                                 std::to_string(labels.size()) + " labels");
   }
+  RequirePointRange(points, [&labels](std::size_t i) { return "The point of label " + std::to_string(labels[i]); });
   JunctionSet result;
   result.cells.resize(1);
   result.cells[ExteriorVertex].label = exteriorLabel;
@@ -39,14 +41,6 @@ MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> &
     {
       throw std::invalid_argument("Label " + std::to_string(labels[i]) + " comes after " +
                                   std::to_string(labels[i - 1]) + ", labels must ascend");
-    }
-    for (const double coordinate : points[i])
-    {
-      if (!std::isfinite(coordinate))
-      {
-        throw std::invalid_argument("The point of label " + std::to_string(labels[i]) + " has the coordinate " +
-                                    std::to_string(coordinate) + ", must be finite");
-      }
     }
     Cell cell;
     cell.label = labels[i];

@@ -9,6 +9,7 @@
 #include "TissueTessellationCore/CentroidFit.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/LocalSpacing.h"
+#include "TissueTessellationCore/PointRange.h"
 #include "TissueTessellationCore/TissueSurface.h"
 #include "TissueTessellationCore/Vector.h"
 
@@ -52,23 +53,16 @@ ToText(const Point & p)
 }
 
 void
-RefusePointsThatAreNotFinite(const std::vector<Point> & points)
+RefusePointsOutOfRange(const std::vector<Point> & points)
 {
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (!std::all_of(points[i].begin(), points[i].end(), [](double value) { return std::isfinite(value); }))
-    {
-      throw std::invalid_argument("point " + std::to_string(i) + " is at " + ToText(points[i]) +
-                                  ", but coordinates must be finite");
-    }
-  }
+  RequirePointRange(points, [](std::size_t i) { return "point " + std::to_string(i); });
 }
 
 /** A local spacing for each point, after the exterior's. */
 std::vector<double>
 SpacingsOf(const std::vector<Point> & points)
 {
-  RefusePointsThatAreNotFinite(points);
+  RefusePointsOutOfRange(points);
   std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
   centers.insert(centers.end(), points.begin(), points.end());
   return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
@@ -201,7 +195,7 @@ std::vector<std::int32_t>
 EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const ParallelFor & parallelFor,
                const ProgressFunction & progress)
 {
-  RefusePointsThatAreNotFinite(points);
+  RefusePointsOutOfRange(points);
   RefusePointsOutside(points, grid);
   TissueSurface    surface(points, BoxOf(grid));
   CentroidFit      fit(points);

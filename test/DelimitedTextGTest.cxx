@@ -72,6 +72,11 @@ TEST(DelimitedText, QuotesHoldSeparatorsQuotesAndLineEnds)
   EXPECT_EQ(Refusal("a\nb,\"c\"d\n"), "line 2: there is text after the quoted 'c'");
 }
 
+TEST(DelimitedText, OtherEncodingsAreRefused)
+{
+  EXPECT_NE(Refusal(std::string("\xFF\xFEx\0,\0y\0", 8)).find("zero bytes, must be in UTF-8"), std::string::npos);
+}
+
 TEST(DelimitedText, SeparatorIsTheMostFrequentOfTheFirstRecord)
 {
   EXPECT_EQ(Read("x;y;z\n1,5;2;3\n").records[1].fields, (Fields{ "1,5", "2", "3" }));

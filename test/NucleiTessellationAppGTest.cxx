@@ -142,6 +142,12 @@ TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
   {
     EXPECT_EQ(m_Output.find(ofImage), std::string::npos) << m_Output;
   }
+  EXPECT_TRUE(alone["warnings"].empty());
+  const auto unused =
+    this->RunAndReport("points.csv walls.vtp --preset paper --box tissue.mha --junctions j.csv")["warnings"];
+  ASSERT_EQ(unused.size(), 2u);
+  EXPECT_EQ(unused[0], "--box is not used: --preset paper makes walls of the points alone");
+  EXPECT_EQ(unused[1], "--junctions: points alone have none in an image, the table is empty");
   const auto fitted = this->RunAndReport("points.csv walls.vtp --refinement 0");
   EXPECT_GT(fitted["stages"]["optimized"]["adjacency4"], 0.5);
   EXPECT_GT(fitted["input"]["walls"], 0);
@@ -243,14 +249,58 @@ TEST_F(NucleiTessellationApp, RepeatedPointsAreLeftOutAndSaid)
 {
   const tissue::Point & p = m_Points.begin()->second;
   std::ofstream         file(this->PathOf("points.csv"), std::ios::app);
-  file << std::setprecision(17) << "0,2000," << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+  file << std::setprecision(17);
+  for (const int label : { 2000, 2001 })
+  {
+    file << "0," << label << ',' << p[0] << ',' << p[1] << ',' << p[2] << '\n';
+  }
   file.close();
-  const auto report = this->RunAndReport("points.csv walls.vtp --preset paper");
-  EXPECT_EQ(report["input"]["points"], m_Points.size());
-  ASSERT_EQ(report["warnings"].size(), 1u);
-  EXPECT_NE(report["warnings"][0].get<std::string>().find("points repeat another and are left out (line "),
-            std::string::npos);
-  EXPECT_NE(m_Errors.find("NucleiTessellation: warning: 1 of "), std::string::npos) << m_Errors;
+  for (const char * preset : { " --refinement 0", " --preset paper" })
+  {
+    const auto report = this->RunAndReport(std::string("points.csv walls.vtp") + preset);
+    EXPECT_EQ(report["input"]["points"], m_Points.size());
+    EXPECT_EQ(report["input"]["cells"], m_Points.size());
+    ASSERT_EQ(report["warnings"].size(), 1u);
+    EXPECT_NE(report["warnings"][0].get<std::string>().find(
+                "2 of 42 points repeat another and are left out (line 42 that of line 2, ...)"),
+              std::string::npos)
+      << report["warnings"];
+    EXPECT_NE(m_Errors.find("NucleiTessellation: warning: 2 of "), std::string::npos) << m_Errors;
+  }
+}
+
+TEST_F(NucleiTessellationApp, FewPointsAndCloseOnesAreCells)
+{
+  const std::string four = "0,0,0\n10,0,0\n0,10,0\n0,0,10\n";
+  for (const auto & [points, number] : std::vector<std::pair<std::string, int>>{
+         { four, 4 }, { four + "8,8,8\n", 5 }, { four + "8,8,8\n8,8,8.0000000001\n", 6 } })
+  {
+    std::ofstream(this->PathOf("few.csv")) << points;
+    for (const char * preset : { " --refinement 0", " --preset paper" })
+    {
+      const auto report = this->RunAndReport(std::string("few.csv walls.vtp") + preset);
+      EXPECT_EQ(report["input"]["cells"], number) << points << preset;
+      EXPECT_TRUE(report["mesh"]["cellsWithoutTriangles"].empty()) << points << preset;
+      EXPECT_TRUE(report["mesh"]["cellsThatAreNoClosedSphere"].empty()) << points << preset;
+    }
+  }
+}
+
+TEST_F(NucleiTessellationApp, PointsFarFromTheOriginKeepTheirDigits)
+{
+  // Single precision would know them to a cell's diameter.
+  std::ofstream far(this->PathOf("far.csv"));
+  far << "Label,x,y,z\n" << std::setprecision(17);
+  for (const auto & [label, p] : m_Points)
+  {
+    far << label << ',' << p[0] + 1e8 << ',' << p[1] << ',' << p[2] - 1e8 << '\n';
+  }
+  far.close();
+  const auto near = this->RunAndReport("points.csv walls.vtp --refinement 0");
+  const auto moved = this->RunAndReport("far.csv walls.vtp --refinement 0");
+  EXPECT_NEAR(moved["stages"]["optimized"]["adjacency4"], near["stages"]["optimized"]["adjacency4"], 0.05);
+  EXPECT_NEAR(moved["stages"]["delaunay"]["eccentricity"], near["stages"]["delaunay"]["eccentricity"], 1e-4);
+  EXPECT_TRUE(moved["mesh"]["cellsThatAreNoClosedSphere"].empty());
 }
 
 TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
@@ -277,6 +327,11 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
   refuse(four + "1,2,inf\n", { "bad.csv: line 6: 'inf' in column 3 ('z') must be finite" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", { "bad.csv: ", "coplanar" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,0,0\n5,0,0\n2,1,0\n", { "bad.csv: There are 3 points" });
+  refuse("1,1,1\n1,1,1\n1,1,1\n1,1,1\n", { "bad.csv: There are 1 points, at least 4 are needed" });
+  refuse("0,0,0\n1,1,1\n2,2,2\n3,3,3\n", { "bad.csv: ", "coplanar" });
+  refuse(four + "1e300,2,3\n",
+         { "bad.csv: The point of label 5 has the coordinate 1e+300, must be finite and at most" });
+  refuse("0,0,0\n1e-300,0,0\n0,1e-300,0\n0,0,1e-300\n", { "bad.csv: The points extend over 1e-300, must be 1e-30" });
   refuse("Label,x,y,z\n1,0,0,0\n1,5,0,0\n", { "bad.csv: line 3 has the label 1 of line 2" });
   refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: '1.5' in column 1 ('Label') is no whole number above 0" });
   refuse("# CoordinateSystem = XYZ\n", { "bad.fcsv: line 1: the coordinate system 'XYZ'" }, "bad.fcsv");

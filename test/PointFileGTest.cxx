@@ -206,6 +206,42 @@ TEST_F(PointFiles, FiducialsInRasAreTurned)
             std::string::npos);
 }
 
+TEST_F(PointFiles, MarkupsInJson)
+{
+  const auto markup = [](const std::string & system, const std::string & points, const std::string & more = "") {
+    return "{\"type\": \"Fiducial\", \"coordinateSystem\": \"" + system + "\", \"controlPoints\": [" + points + "]" +
+           more + "}";
+  };
+  const auto point = [](const std::string & position, const std::string & status = "defined") {
+    return "{\"label\": \"F-1\", \"position\": " + position + ", \"positionStatus\": \"" + status + "\"}";
+  };
+  const auto file = [](const std::string & markups) { return "{\"markups\": [" + markups + "]}"; };
+  const auto read = ReadPointFile(Write(
+    "a.mrk.json",
+    file(markup("LPS", point("[1, 2.5, 3]") + "," + point("[4, 5, 6]")) + "," + markup("RAS", point("[1, 2, 3]")))));
+  EXPECT_EQ(read.points, (std::vector<Point>{ { { 1, 2.5, 3 } }, { { 4, 5, 6 } }, { { -1, -2, 3 } } }));
+  EXPECT_EQ(read.places[1], "markup 1, point 2");
+  EXPECT_TRUE(IsPointFile("a.mrk.json"));
+
+  const auto refusal = [&](const std::string & text) { return Refusal(Write("b.mrk.json", text)); };
+  EXPECT_EQ(refusal(file(markup("IJK", point("[1, 2, 3]")))),
+            "markup 1: the coordinate system 'IJK' is none of LPS, 1, RAS, 0");
+  EXPECT_EQ(refusal(file(markup("LPS", point("[1, 2, 3]") + "," + point("[1, \"two\", 3]")))),
+            "markup 1, point 2: its position is [1,\"two\",3], must be three finite numbers");
+  EXPECT_EQ(refusal(file(markup("LPS", point("[1, 2]")))),
+            "markup 1, point 1: its position is [1,2], must be three finite numbers");
+  EXPECT_EQ(refusal(file(markup("LPS", point("[0, 0, 0]", "undefined")))),
+            "markup 1, point 1: its position is 'undefined', must be defined");
+  EXPECT_EQ(refusal(file("{\"type\": \"Curve\", \"controlPoints\": []}")),
+            "markup 1 is of the type 'Curve', must be Fiducial: a list of points");
+  for (const char * text : { "{}", "[]", "3", "{\"markups\": 3}" })
+  {
+    EXPECT_EQ(refusal(text), "the file has no list 'markups', as markups of 3D Slicer have") << text;
+  }
+  EXPECT_NE(refusal("{\"markups\":\n [1,").find("is no JSON: parse error at line 2"), std::string::npos);
+  EXPECT_NE(refusal("{\"markups\": [{\"position\": 1e999}]}").find("is no JSON: number overflow"), std::string::npos);
+}
+
 TEST_F(PointFiles, PolyDataSaysItsCoordinateSystem)
 {
   for (const std::string system : { "", "LPS", "RAS", "IJK" })

@@ -77,7 +77,16 @@ TEST(PointJunctions, SayWhatTheyCannotBeMadeOf)
   EXPECT_EQ(ErrorOf(four, { 1, 2, 3, 9 }), "Label 9 of a point is the exterior's");
   std::vector<Point> wrong = four;
   wrong[2][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(ErrorOf(wrong, { 1, 2, 3, 4 }), "The point of label 3 has the coordinate nan, must be finite");
+  const std::string allowed = ", must be finite and at most 1e+30 in size";
+  EXPECT_EQ(ErrorOf(wrong, { 1, 2, 3, 4 }), "The point of label 3 has the coordinate nan" + allowed);
+  wrong[2][1] = -2e30;
+  EXPECT_EQ(ErrorOf(wrong, { 1, 2, 3, 4 }), "The point of label 3 has the coordinate -2e+30" + allowed);
+  for (Point & point : wrong = four)
+  {
+    point[0] = 5.0 + 1e-31 * point[0];
+    point[1] = point[2] = 0.0;
+  }
+  EXPECT_EQ(ErrorOf(wrong, { 1, 2, 3, 4 }), "The points extend over 0, must be 1e-30 at least");
 }
 
 TEST(PointJunctions, ConcaveTissueStaysConcave)

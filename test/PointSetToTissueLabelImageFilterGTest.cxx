@@ -206,6 +206,14 @@ TEST(PointSetToTissueLabelImageFilter, RefusesPointsThatMakeNoTissue)
             std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, 10 } }, { { 8, 8, 10 } } }).find("same centre"), std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, std::nan("") } } }).find("must be finite"), std::string::npos);
+  EXPECT_NE(errorWith({ { { 8, 8, 2e30 } } }).find("point 0 has the coordinate 2e+30, must be finite and at most"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf(MakePoints({ { { 1, 1, 1 } }, { { 2, 2, 2 } }, { { 3, 3, 3 } }, { { 4, 4, 4 } } }), nullptr)
+              .find("coplanar"),
+            std::string::npos);
+  const tissue::Point same{ { 5, 5, 5 } };
+  EXPECT_NE(ErrorOf(MakePoints({ same, same, same, same }), nullptr).find("extend over 0, must be 1e-30 at least"),
+            std::string::npos);
 }
 
 TEST(PointSetToTissueLabelImageFilter, RefusesMorePointsThanLabels)

@@ -15,7 +15,7 @@ namespace tissue
  *
  * \param labels of the cells, ascending; none is the exterior's.
  * \throws std::invalid_argument for fewer than four points, numbers of points and labels that differ, labels that do
- * not ascend, one that is the exterior's, and a coordinate that is not finite. */
+ * not ascend, one that is the exterior's, and coordinates that RequirePointRange() refuses. */
 JunctionSet
 MakePointJunctions(const std::vector<Point> & points, const std::vector<Label> & labels, Label exteriorLabel = 0);
 } // namespace tissue
