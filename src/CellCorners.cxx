@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/CellCorners.h"
 
+#include "TissueTessellationCore/JunctionLookup.h"
 #include "TissueTessellationCore/SurfaceLift.h"
 #include "TissueTessellationCore/Vector.h"
 
@@ -92,18 +93,6 @@ CornerOfCenters(const VertexQuadruple & t, const JunctionSet & junctions)
   return t[0] == ExteriorVertex
            ? ProjectedCircumcenter(others)
            : ProjectedCircumcenter(std::array<Point, 4>{ { center(t[0]), others[0], others[1], others[2] } });
-}
-
-const Junction *
-FindJunction(const JunctionSet & junctions, VertexQuadruple key)
-{
-  std::sort(key.begin(), key.end());
-  const auto at =
-    std::lower_bound(junctions.junctions.begin(),
-                     junctions.junctions.end(),
-                     key,
-                     [](const Junction & junction, const VertexQuadruple & k) { return junction.cells < k; });
-  return at != junctions.junctions.end() && at->cells == key ? &*at : nullptr;
 }
 
 /** Puts the given corners at the mean of the four corners that a triangle of the complex joins them to. */

@@ -8,6 +8,7 @@
 
 #include "TissueTessellationCore/CellCorners.h"
 #include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/JunctionLookup.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
@@ -110,17 +111,6 @@ KeepApart(std::vector<CornerPair> & lines, const IndicatorField & field, std::ve
   }
 }
 
-bool
-HasJunction(const JunctionSet & junctions, VertexQuadruple key)
-{
-  std::sort(key.begin(), key.end());
-  const auto at =
-    std::lower_bound(junctions.junctions.begin(),
-                     junctions.junctions.end(),
-                     key,
-                     [](const Junction & junction, const VertexQuadruple & k) { return junction.cells < k; });
-  return at != junctions.junctions.end() && at->cells == key;
-}
 } // namespace
 
 std::vector<Point>
@@ -131,7 +121,8 @@ FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, cons
   std::vector<Point>                 corners = ComputeCorners(complex, junctions, CornerRule::ImageJunction);
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const bool isFitted = HasJunction(junctions, tetrahedra[i]) && field.Project(corners[i], tetrahedra[i], 4, Reach);
+    const bool isFitted =
+      FindJunction(junctions, tetrahedra[i]) != nullptr && field.Project(corners[i], tetrahedra[i], 4, Reach);
     if (!isFitted && unfitted != nullptr)
     {
       unfitted->push_back(i);

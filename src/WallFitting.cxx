@@ -10,6 +10,7 @@
 #include "TissueTessellationCore/CrossingGuard.h"
 #include "TissueTessellationCore/CrossingWalls.h"
 #include "TissueTessellationCore/DualMesh.h"
+#include "TissueTessellationCore/JunctionLookup.h"
 #include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/OutlineTriangulation.h"
 #include "TissueTessellationCore/TriangleImprovement.h"
@@ -20,7 +21,6 @@
 #include "TissueTessellationCore/WallProjection.h"
 #include "TissueTessellationCore/WallRemeshing.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace tissue
@@ -159,15 +159,9 @@ private:
       {
         continue; // It has none.
       }
-      VertexPair key = mesh.walls[mesh.wallOfTriangle[t]].cells;
-      std::sort(key.begin(), key.end());
-      const auto at = std::lower_bound(m_Junctions.walls.begin(),
-                                       m_Junctions.walls.end(),
-                                       key,
-                                       [](const Wall & wall, const VertexPair & k) { return wall.cells < k; });
-      if (at != m_Junctions.walls.end() && at->cells == key)
+      if (const Wall * const wall = FindWall(m_Junctions, mesh.walls[mesh.wallOfTriangle[t]].cells))
       {
-        mesh.points[center] = at->center;
+        mesh.points[center] = wall->center;
       }
     }
     StepBackFromCrossings(mesh, before, LiftShares, m_ParallelFor);
