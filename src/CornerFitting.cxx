@@ -110,7 +110,6 @@ KeepApart(std::vector<CornerPair> & lines, const IndicatorField & field, std::ve
     }
   }
 }
-
 } // namespace
 
 std::vector<Point>

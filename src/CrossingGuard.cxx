@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/CrossingGuard.h"
 
-#include "TissueTessellationCore/BoxGrid.h"
+#include "TissueTessellationCore/TriangleBox.h"
 #include "TissueTessellationCore/TriangleCrossing.h"
 #include "TissueTessellationCore/Vector.h"
 
@@ -95,6 +95,7 @@ Select(std::size_t count, const TTest & test, const ParallelFor & parallelFor)
   }
   return all;
 }
+
 /** Pairs of triangles whose boxes, about their points here and there, overlap, and of which one is marked. */
 std::vector<TrianglePair>
 CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
@@ -108,10 +109,9 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
   for (std::size_t t = 0; t < boxes.size(); ++t)
   {
     const Triangle & triangle = mesh.triangles[t];
-    boxes[t] = { here[triangle[0]], here[triangle[0]] };
+    boxes[t] = BoxOfTriangle(here, triangle);
     for (const PointId p : triangle)
     {
-      Extend(boxes[t], here[p]);
       Extend(boxes[t], there[p]);
     }
   }
@@ -186,12 +186,11 @@ FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, c
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const WallId wall = mesh.wallOfTriangle[t];
-    for (const PointId p : mesh.triangles[t])
+    if (isOf[wall] != 0)
     {
-      if (isOf[wall] != 0)
-      {
-        Extend(boxOf[wall], mesh.points[p]);
-      }
+      const Box box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
+      Extend(boxOf[wall], box.lower);
+      Extend(boxOf[wall], box.upper);
     }
   }
   // They are few: of all other triangles only those that are near them count.
@@ -201,11 +200,7 @@ FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, c
   near.points = mesh.points;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    Box box = nothing;
-    for (const PointId p : mesh.triangles[t])
-    {
-      Extend(box, mesh.points[p]);
-    }
+    const Box box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
     if (std::any_of(walls.begin(), walls.end(), [&](WallId wall) { return Overlap(boxOf[wall], box); }))
     {
       near.triangles.push_back(mesh.triangles[t]);

@@ -83,24 +83,6 @@ private:
   std::vector<double>            m_Penalty;
 };
 
-/** Whether the triangles' centroids are farther from the faces than the tolerance, by area and on average. */
-bool
-IsFar(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTriangle, const PlaceTree & faces,
-      double tolerance)
-{
-  double area = 0.0;
-  double distance = 0.0;
-  for (std::size_t t = firstTriangle; t < endTriangle; ++t)
-  {
-    const Point & a = mesh.points[mesh.triangles[t][0]];
-    const Point & b = mesh.points[mesh.triangles[t][1]];
-    const Point & c = mesh.points[mesh.triangles[t][2]];
-    const double  areaOfThis = TriangleArea(a, b, c);
-    area += areaOfThis;
-    distance += areaOfThis * faces.DistanceToNearest((1.0 / 3.0) * (a + b + c));
-  }
-  return distance > tolerance * area;
-}
 } // namespace
 
 std::vector<WallId>
@@ -112,8 +94,9 @@ TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolera
   std::vector<unsigned char>     isNew(mesh.walls.size(), 0);
   RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
     pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
-    const PlaceTree places(faces.Begin(w), faces.End(w));
-    if (places.IsEmpty() || !IsFar(mesh, first[w], first[w + 1], places, tolerance))
+    const PlaceTree       places(faces.Begin(w), faces.End(w));
+    const AreaAndDistance sums = IntegrateDistance(mesh, first[w], first[w + 1], places);
+    if (places.IsEmpty() || !(sums.distance > tolerance * sums.area))
     {
       return;
     }

@@ -6,9 +6,9 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Untangling.h"
 
-#include "TissueTessellationCore/BoxGrid.h"
 #include "TissueTessellationCore/CrossingGuard.h"
 #include "TissueTessellationCore/Random.h"
+#include "TissueTessellationCore/TriangleBox.h"
 #include "TissueTessellationCore/TriangleCrossing.h"
 
 #include <map>
@@ -83,10 +83,7 @@ FindClose(const WallMesh & mesh, std::vector<LoosePoint> & loose)
   std::vector<Box> boxes;
   for (const auto & triangle : mesh.triangles)
   {
-    Box box{ mesh.points[triangle[0]], mesh.points[triangle[0]] };
-    Extend(box, mesh.points[triangle[1]]);
-    Extend(box, mesh.points[triangle[2]]);
-    boxes.push_back(box);
+    boxes.push_back(BoxOfTriangle(mesh.points, triangle));
   }
   for (const LoosePoint & entry : loose)
   {
@@ -119,16 +116,12 @@ CountCrossings(const WallMesh & mesh, const LoosePoint & entry)
   for (const std::int32_t t : entry.triangles)
   {
     const auto & triangle = mesh.triangles[t];
-    Box          box{ mesh.points[triangle[0]], mesh.points[triangle[0]] };
-    Extend(box, mesh.points[triangle[1]]);
-    Extend(box, mesh.points[triangle[2]]);
+    const Box    box = BoxOfTriangle(mesh.points, triangle);
     for (const std::int32_t other : entry.close)
     {
       const auto & o = mesh.triangles[other];
-      Box          otherBox{ mesh.points[o[0]], mesh.points[o[0]] };
-      Extend(otherBox, mesh.points[o[1]]);
-      Extend(otherBox, mesh.points[o[2]]);
-      count += other != t && Overlap(box, otherBox) && TrianglesCross(mesh.points, triangle, o) ? 1 : 0;
+      count +=
+        other != t && Overlap(box, BoxOfTriangle(mesh.points, o)) && TrianglesCross(mesh.points, triangle, o) ? 1 : 0;
     }
   }
   return count;

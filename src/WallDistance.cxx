@@ -35,23 +35,9 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
   }
   std::vector<Sums> sumsOfWall(walls.walls.size());
   RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
-    const PlaceTree places(faces.Begin(w), faces.End(w));
-    for (std::size_t t = first[w]; t < first[w + 1]; ++t)
-    {
-      const auto &  triangle = walls.triangles[t];
-      const Point & a = walls.points[triangle[0]];
-      const Point & b = walls.points[triangle[1]];
-      const Point & c = walls.points[triangle[2]];
-      const Point   normal = Cross(b - a, c - a);
-      const double  area = 0.5 * std::sqrt(Dot(normal, normal));
-      if (places.IsEmpty())
-      {
-        sumsOfWall[w].falseArea += area;
-        continue;
-      }
-      sumsOfWall[w].area += area;
-      sumsOfWall[w].distance += area * places.DistanceToNearest((1.0 / 3.0) * (a + b + c));
-    }
+    const PlaceTree       places(faces.Begin(w), faces.End(w));
+    const AreaAndDistance sums = IntegrateDistance(walls, first[w], first[w + 1], places);
+    sumsOfWall[w] = places.IsEmpty() ? Sums{ 0.0, 0.0, sums.area } : Sums{ sums.area, sums.distance, 0.0 };
   });
 
   WallDistance        result;

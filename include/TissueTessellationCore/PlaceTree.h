@@ -46,6 +46,16 @@ public:
 private:
   boost::geometry::index::rtree<ImagePlaces::Place, boost::geometry::index::linear<16>> m_Tree;
 };
+/** The area of triangles, and its integral of the distance to the places, by the triangles' centroids. */
+struct AreaAndDistance
+{
+  double area = 0.0;
+  double distance = 0.0;
+};
+
+/** Of the triangles [firstTriangle, endTriangle); the distance is infinite without places. */
+AreaAndDistance
+IntegrateDistance(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTriangle, const PlaceTree & places);
 } // namespace tissue
 
 #endif
