@@ -11,7 +11,6 @@
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace tissue
 {
@@ -164,6 +163,36 @@ FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & 
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }
+
+/** Marks the given walls and those whose boxes overlap theirs; at least one wall. */
+std::vector<unsigned char>
+MarkNearWalls(const WallMesh & mesh, const std::vector<unsigned char> & isGiven)
+{
+  std::vector<Box>           boxes(mesh.walls.size());
+  std::vector<unsigned char> hasBox(mesh.walls.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const WallId wall = mesh.wallOfTriangle[t];
+    const Box    box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
+    if (hasBox[wall] == 0)
+    {
+      hasBox[wall] = 1;
+      boxes[wall] = box;
+    }
+    Extend(boxes[wall], box.lower);
+    Extend(boxes[wall], box.upper);
+  }
+  std::vector<unsigned char> isNear = isGiven;
+  const BoxGrid              grid(boxes);
+  for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
+  {
+    grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {
+      isNear[a] |= isGiven[b];
+      isNear[b] |= isGiven[a];
+    });
+  }
+  return isNear;
+}
 } // namespace
 
 std::vector<TrianglePair>
@@ -175,33 +204,24 @@ FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
 std::vector<TrianglePair>
 FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const ParallelFor & parallelFor)
 {
-  constexpr double           infinity = std::numeric_limits<double>::infinity();
-  const Box                  nothing{ { { infinity, infinity, infinity } }, { { -infinity, -infinity, -infinity } } };
-  std::vector<Box>           boxOf(mesh.walls.size(), nothing);
+  if (walls.empty())
+  {
+    return {};
+  }
   std::vector<unsigned char> isOf(mesh.walls.size(), 0);
   for (const WallId wall : walls)
   {
     isOf[wall] = 1;
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const WallId wall = mesh.wallOfTriangle[t];
-    if (isOf[wall] != 0)
-    {
-      const Box box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
-      Extend(boxOf[wall], box.lower);
-      Extend(boxOf[wall], box.upper);
-    }
-  }
-  // They are few: of all other triangles only those that are near them count.
-  WallMesh                   near;
-  std::vector<unsigned char> isMarked;
-  std::vector<std::int32_t>  numbers;
+  // They are few: of all other triangles only those of walls that are near them count.
+  const std::vector<unsigned char> isNear = MarkNearWalls(mesh, isOf);
+  WallMesh                         near;
+  std::vector<unsigned char>       isMarked;
+  std::vector<std::int32_t>        numbers;
   near.points = mesh.points;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const Box box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
-    if (std::any_of(walls.begin(), walls.end(), [&](WallId wall) { return Overlap(boxOf[wall], box); }))
+    if (isNear[mesh.wallOfTriangle[t]] != 0)
     {
       near.triangles.push_back(mesh.triangles[t]);
       isMarked.push_back(isOf[mesh.wallOfTriangle[t]]);

@@ -41,19 +41,31 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
       partners[b].insert(a);
     }
   }
-  std::vector<WallId> walls;
-  while (!partners.empty())
+  std::set<std::pair<std::ptrdiff_t, WallId>> byPartners; // most first, then the smaller wall
+  const auto                                  rankOf = [&partners](WallId wall) {
+    return std::make_pair(-static_cast<std::ptrdiff_t>(partners.at(wall).size()), wall);
+  };
+  for (const auto & [wall, others] : partners)
   {
-    const auto   most = std::max_element(partners.begin(), partners.end(), [](const auto & one, const auto & other) {
-      return one.second.size() < other.second.size();
-    });
-    const WallId wall = most->first;
+    byPartners.insert(rankOf(wall));
+  }
+  std::vector<WallId> walls;
+  while (!byPartners.empty())
+  {
+    const WallId wall = byPartners.begin()->second;
+    byPartners.erase(byPartners.begin());
     walls.push_back(wall);
-    partners.erase(most);
-    for (auto at = partners.begin(); at != partners.end();)
+    for (const WallId other : partners.at(wall))
     {
-      at->second.erase(wall);
-      at = at->second.empty() ? partners.erase(at) : std::next(at);
+      // Neither a fixed wall nor one that is chosen already.
+      if (partners.count(other) > 0 && byPartners.erase(rankOf(other)) > 0)
+      {
+        partners.at(other).erase(wall);
+        if (!partners.at(other).empty())
+        {
+          byPartners.insert(rankOf(other));
+        }
+      }
     }
   }
   return walls;
@@ -63,10 +75,11 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
 void
 SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
 {
-  std::vector<WallPiece> pieces = CutOutWalls(mesh);
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   for (const WallId wall : walls)
   {
-    WallPatch patch = MakePatch(mesh, pieces[wall]);
+    const WallPiece piece = CutOutWall(mesh, first[wall], first[wall + 1]);
+    WallPatch       patch = MakePatch(mesh, piece);
     for (int round = 0; round < RoundsPerSmoothing; ++round)
     {
       for (WallPatch::Vertex v = patch.OutlineSize(); v < patch.EndOfVertices(); ++v)
@@ -80,9 +93,14 @@ SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
         patch.SetPoint(v, (1.0 / count) * sum);
       }
     }
-    TakePatch(patch, pieces[wall]);
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        mesh.points[mesh.triangles[first[wall] + t][i]] = patch.PointAt(piece.triangles[t][i]);
+      }
+    }
   }
-  mesh = JoinWallPieces(mesh, pieces);
 }
 } // namespace
 

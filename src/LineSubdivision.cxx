@@ -10,7 +10,7 @@
 #include "TissueTessellationCore/WallLines.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
-#include "TissueTessellationCore/WallPieces.h"
+#include "TissueTessellationCore/PointNumbering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -296,7 +296,6 @@ SubdivideLines(WallMesh & mesh, const std::vector<double> & edgeLengths)
       }
     }
   }
-  // Numbers the points anew, without those that are gone.
-  mesh = JoinWallPieces(mesh, CutOutWalls(mesh));
+  PutLinePointsFirst(mesh);
 }
 } // namespace tissue

@@ -13,6 +13,9 @@
 #include "TissueTessellationCore/JunctionLookup.h"
 #include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/OutlineTriangulation.h"
+#include "TissueTessellationCore/PointNumbering.h"
+#include "TissueTessellationCore/SpatialOrder.h"
+#include "TissueTessellationCore/SpatialWallOrder.h"
 #include "TissueTessellationCore/TriangleImprovement.h"
 #include "TissueTessellationCore/Untangling.h"
 #include "TissueTessellationCore/Vector.h"
@@ -74,7 +77,8 @@ public:
     std::vector<std::size_t> unfitted;
     WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
     const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
-    const double      triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
+    this->OrderSpatially(mesh, numberOfCorners);
+    const double triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectImageFaces(m_Volume, mesh.walls);
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
@@ -130,7 +134,35 @@ public:
     }
   }
 
+  /** As those of Dualize() are, in the order of the tetrahedra. */
+  void
+  PutCornersInOrder(WallMesh & mesh) const
+  {
+    std::vector<PointId> order(mesh.points.size());
+    std::iota(order.begin(), order.end(), PointId{ 0 });
+    std::copy(m_CornerOfTetrahedron.begin(), m_CornerOfTetrahedron.end(), order.begin());
+    TakePoints(mesh, order);
+  }
+
 private:
+  void
+  OrderSpatially(WallMesh & mesh, std::size_t numberOfCorners)
+  {
+    std::vector<Point> centers;
+    for (VertexId v = 0; v < m_Junctions.NumberOfVertices(); ++v)
+    {
+      centers.push_back(m_Junctions.CellOfVertex(v).center);
+    }
+    mesh = OrderWalls(mesh, RanksInOrder(SpatialOrder(centers)));
+    const std::vector<PointId> order = PointsByTriangles(mesh);
+    TakePoints(mesh, order);
+    m_CornerOfTetrahedron.resize(numberOfCorners);
+    for (std::size_t i = 0; i < numberOfCorners; ++i)
+    {
+      m_CornerOfTetrahedron[order[i]] = static_cast<PointId>(i);
+    }
+  }
+
   void
   CountUnfitted(const AdjacencyComplex & complex, const std::vector<std::size_t> & corners,
                 WallFittingStatistics & statistics) const
@@ -212,6 +244,8 @@ private:
   ImagePlaces              m_Faces{ 0, {} };
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
+  /** The mesh's own corners are in spatial order. */
+  std::vector<PointId> m_CornerOfTetrahedron;
 };
 } // namespace
 
@@ -232,6 +266,7 @@ FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const 
   {
     fitter.FitStar(mesh);
   }
+  fitter.PutCornersInOrder(mesh);
   s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, parallelFor).size());
   return mesh;
 }

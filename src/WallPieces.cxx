@@ -64,18 +64,6 @@ CutOutWall(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTria
   return piece;
 }
 
-std::vector<WallPiece>
-CutOutWalls(const WallMesh & mesh)
-{
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
-  std::vector<WallPiece>         pieces;
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
-  {
-    pieces.push_back(CutOutWall(mesh, first[w], first[w + 1]));
-  }
-  return pieces;
-}
-
 WallPatch
 MakePatch(const WallMesh & mesh, const WallPiece & piece)
 {

@@ -132,6 +132,10 @@ WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
     m_Lines.push_back(
       { { { c[0], c[1], c[2], -1 } }, 3, 0.0, pointsOf[c], m_LinePlaces.Begin(l), m_LinePlaces.End(l) });
   }
+  // As the mesh's points are, so that what is near in the tissue is near in memory.
+  std::sort(m_Lines.begin(), m_Lines.end(), [](const Group & a, const Group & b) {
+    return a.points.front() < b.points.front();
+  });
 }
 
 void

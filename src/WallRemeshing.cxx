@@ -9,6 +9,7 @@
 #include "TissueTessellationCore/LineSubdivision.h"
 #include "TissueTessellationCore/PatchMeasures.h"
 #include "TissueTessellationCore/PatchRemesher.h"
+#include "TissueTessellationCore/PointNumbering.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
 #include "TissueTessellationCore/WallLines.h"
@@ -104,29 +105,37 @@ SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
   patch.Compact();
   TakePatch(patch, piece);
 }
+
+/** Calls change(w, piece) with the piece of each wall, and joins what is left of them. */
+template <typename TChange>
+void
+ChangeWalls(WallMesh & mesh, const ParallelFor & parallelFor, const TChange & change)
+{
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  std::vector<WallPiece>         pieces(mesh.walls.size());
+  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
+    pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
+    change(w, pieces[w]);
+  });
+  mesh = JoinWallPieces(mesh, pieces);
+}
 } // namespace
 
 void
 RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
 {
   RequireEdgeLengths(mesh, edgeLengths);
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
-  const WallsAtPoints            wallsAt(mesh);
-  std::vector<WallPiece>         pieces(mesh.walls.size());
-  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
-    pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
-    RemeshPiece(mesh, wallsAt, edgeLengths[w], pieces[w]);
-  });
-  mesh = JoinWallPieces(mesh, pieces);
+  const WallsAtPoints wallsAt(mesh);
+  ChangeWalls(
+    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { RemeshPiece(mesh, wallsAt, edgeLengths[w], piece); });
 }
 
 void
 SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
 {
   RequireEdgeLengths(mesh, edgeLengths);
-  std::vector<WallPiece> pieces = CutOutWalls(mesh);
-  RunFor(parallelFor, pieces.size(), [&](std::size_t w) { SubdividePiece(mesh, edgeLengths[w], pieces[w]); });
-  mesh = JoinWallPieces(mesh, pieces);
+  ChangeWalls(
+    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { SubdividePiece(mesh, edgeLengths[w], piece); });
 }
 
 std::vector<double>
@@ -155,12 +164,42 @@ RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::
 void
 ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> & walls)
 {
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(other);
-  std::vector<WallPiece>         pieces = CutOutWalls(mesh);
+  std::vector<unsigned char> isReplaced(mesh.walls.size(), 0);
   for (const WallId w : walls)
   {
-    pieces[w] = CutOutWall(other, first[w], first[w + 1]);
+    isReplaced[w] = 1;
   }
-  mesh = JoinWallPieces(mesh, pieces);
+  const std::vector<std::size_t>      firstOfMesh = FirstTrianglesOfWalls(mesh);
+  const std::vector<std::size_t>      firstOfOther = FirstTrianglesOfWalls(other);
+  std::vector<PointId>                numberOf(other.points.size(), -1);
+  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<WallId>                 wallOfTriangle;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    const auto & source = isReplaced[w] != 0 ? other.triangles : mesh.triangles;
+    const auto & first = isReplaced[w] != 0 ? firstOfOther : firstOfMesh;
+    for (std::size_t t = first[w]; t < first[w + 1]; ++t)
+    {
+      triangles.push_back(source[t]);
+      wallOfTriangle.push_back(static_cast<WallId>(w));
+      for (int i = 0; i < 3 && isReplaced[w] != 0; ++i)
+      {
+        PointId & p = triangles.back()[i];
+        if (other.numberOfCells[p] == CellsWithinWall)
+        {
+          if (numberOf[p] < 0)
+          {
+            numberOf[p] = static_cast<PointId>(mesh.points.size());
+            mesh.points.push_back(other.points[p]);
+            mesh.numberOfCells.push_back(CellsWithinWall);
+          }
+          p = numberOf[p];
+        }
+      }
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.wallOfTriangle = std::move(wallOfTriangle);
+  PutLinePointsFirst(mesh);
 }
 } // namespace tissue

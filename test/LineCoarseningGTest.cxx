@@ -7,7 +7,7 @@
 #include "TestWallMeshes.h"
 
 #include "TissueTessellationCore/LineCoarsening.h"
-#include "TissueTessellationCore/WallPieces.h"
+#include "TissueTessellationCore/PointNumbering.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,8 @@ Cleaned(WallMesh mesh)
   }
   mesh.triangles = triangles;
   mesh.wallOfTriangle = wallOfTriangle;
-  return JoinWallPieces(mesh, CutOutWalls(mesh));
+  PutLinePointsFirst(mesh);
+  return mesh;
 }
 
 WallLine

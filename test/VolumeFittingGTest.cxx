@@ -62,3 +62,10 @@ TEST(VolumeFitting, ACellWithoutAWantedVolumeKeepsItsOwn)
   FitVolumes(same, { 0.0, 0.0, 0.0, 0.0 }, 0.15);
   EXPECT_EQ(same.points, kept.points);
 }
+
+TEST(VolumeFitting, RefusesPointsWhereMoreCellsMeetThanTold)
+{
+  WallMesh mesh = RoundOrange(1);
+  mesh.numberOfCells.assign(mesh.points.size(), 1);
+  EXPECT_THROW(FitVolumes(mesh, { 0.0, 1.0, 1.0, 1.0 }, 0.15), std::invalid_argument);
+}

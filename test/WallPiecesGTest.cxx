@@ -12,6 +12,21 @@
 
 using namespace testing_wall_meshes;
 
+namespace
+{
+std::vector<WallPiece>
+CutOutWalls(const WallMesh & mesh)
+{
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  std::vector<WallPiece>         pieces;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    pieces.push_back(CutOutWall(mesh, first[w], first[w + 1]));
+  }
+  return pieces;
+}
+} // namespace
+
 TEST(WallPieces, CutOutAndJoinedTheMeshIsTheSame)
 {
   const WallMesh               mesh = RandomTissue(10);

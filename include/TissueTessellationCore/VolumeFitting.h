@@ -21,7 +21,8 @@ ComputeVolumes(const WallMesh & mesh, std::size_t numberOfVertices);
  *
  * A pressure in each cell moves its walls outwards; the pressures solve a sparse system by conjugate gradients. A
  * cell's volume changes by at most `largestShare` of the wanted one. `volumes` are by vertex; a cell whose wanted
- * volume is not positive keeps its own. */
+ * volume is not positive keeps its own. \throws std::invalid_argument where more cells meet at a point than the mesh's
+ * numberOfCells tells. */
 void
 FitVolumes(WallMesh & mesh, const std::vector<double> & volumes, double largestShare);
 } // namespace tissue

@@ -34,6 +34,7 @@ struct WallFittingStatistics
  * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
  * crossing unless the statistics say so.
  *
+ * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in spatial order.
  * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
  * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
  * `parallelFor`. \throws Aborted where `progress` asks to stop. */

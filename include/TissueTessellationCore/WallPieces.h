@@ -32,11 +32,6 @@ FirstTrianglesOfWalls(const WallMesh & mesh);
 WallPiece
 CutOutWall(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTriangle);
 
-/** All walls, in their order.
- * \throws std::invalid_argument as FirstTrianglesOfWalls() does. */
-std::vector<WallPiece>
-CutOutWalls(const WallMesh & mesh);
-
 /** The piece of a wall of `mesh` with positions, to be changed; its points keep their numbers. */
 WallPatch
 MakePatch(const WallMesh & mesh, const WallPiece & piece);
