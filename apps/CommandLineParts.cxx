@@ -224,6 +224,7 @@ AddToJson(const ReconstructionParameters & p, nlohmann::ordered_json & json)
   json["smoothingIterations"] = p.smoothingIterations;
   json["seed"] = p.annealing.seed;
   json["fixed"] = { { "pairWeight", p.energy.pairWeight },
+                    { "leastVote", p.energy.leastVote },
                     { "unitLength", p.energy.unitLength },
                     { "epidermalNeighbors", p.energy.epidermalNeighbors },
                     { "innerNeighbors", p.energy.innerNeighbors },

@@ -161,7 +161,14 @@ FindBoxFile(const NucleiTessellationOptions & options)
   return options.box.empty() && hasImage ? options.labels : options.box;
 }
 
-TissueLabelImage::Pointer
+/** The label image of a tissue, and how sure it is which of its cells meet. */
+struct EstimatedTissue
+{
+  TissueLabelImage::Pointer labels;
+  std::vector<JunctionVote> votes;
+};
+
+EstimatedTissue
 MakeLabelImage(const std::vector<Point> & points, const itk::ImageBase<3> * box,
                const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
 {
@@ -182,12 +189,12 @@ MakeLabelImage(const std::vector<Point> & points, const itk::ImageBase<3> * box,
   progress.Observe(filter);
   filter->Update();
   input.segmentSeconds += timer.Lap();
-  return filter->GetOutput();
+  return { filter->GetOutput(), filter->GetVotes() };
 }
 
-/** Gives the cells, numbered from 1 on in the order of the points, the labels of these. */
+/** Gives the cells, numbered from 1 on in the order of the points, the labels of these; and the votes on them. */
 void
-NameCells(const LabelledPoints & points, TissueInput & input)
+CompleteJunctions(const LabelledPoints & points, std::vector<JunctionVote> votes, TissueInput & input)
 {
   JunctionSet junctions = input.junctions->GetJunctionSet();
   for (std::size_t v = 1; v < junctions.cells.size(); ++v)
@@ -195,8 +202,10 @@ NameCells(const LabelledPoints & points, TissueInput & input)
     junctions.cells[v].label = points.labels[static_cast<std::size_t>(junctions.cells[v].label - 1)];
   }
   junctions.cells[ExteriorVertex].label = points.exteriorLabel;
+  junctions.votes = std::move(votes);
   input.junctions->SetJunctionSet(std::move(junctions));
 }
+
 /** Warns of options that the paper's method, from points alone, has no use for. */
 void
 WarnOfUnused(const NucleiTessellationOptions & options, TissueInput & input)
@@ -241,16 +250,19 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
   {
     box = WithFileName(boxFile, [&] { return ReadBox(boxFile); });
   }
-  TissueLabelImage::Pointer labels = MakeLabelImage(points.points, box, options, progress, input);
+  EstimatedTissue tissue = MakeLabelImage(points.points, box, options, progress, input);
   if (hasMembranes)
   {
-    labels = WithFileName(options.membrane.file,
-                          [&] { return SegmentMembranes(membranes, labels, options.membrane, progress, input); });
+    // What the membranes show is known better than by votes.
+    tissue = { WithFileName(
+                 options.membrane.file,
+                 [&] { return SegmentMembranes(membranes, tissue.labels, options.membrane, progress, input); }),
+               {} };
   }
-  DescribeImage(labels.GetPointer(), input);
-  ExtractTissueJunctions(labels.GetPointer(), options, progress, input);
+  DescribeImage(tissue.labels.GetPointer(), input);
+  ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress, input);
   input.exteriorLabel = points.exteriorLabel;
-  NameCells(points, input);
+  CompleteJunctions(points, std::move(tissue.votes), input);
   return input;
 }
 } // namespace tissue

@@ -7,6 +7,7 @@
 #ifndef itkPointSetToTissueLabelImageFilter_h
 #define itkPointSetToTissueLabelImageFilter_h
 
+#include "TissueTessellationCore/JunctionSet.h"
 #include "TissueTessellationCore/TissueMask.h"
 #include "itkImageBase.h"
 #include "itkImageSource.h"
@@ -27,7 +28,7 @@ namespace itk
  * for the local spacing, and a margin. In it the cells are the anisotropic tessellation that has its cells' centroids
  * on the points: that centres are centroids tells more of the cells' sizes and shapes than the points' Voronoi cells
  * do. The margin is fitted jointly with the cells. How exact the points are is estimated: of points that can be no
- * tissue's centroids, the cells are nearly Voronoi cells.
+ * tissue's centroids, the cells are nearly Voronoi cells but for what shape neighbours have in common.
  *
  * The box that the points were seen in is that of the reference image, if there is one: its voxels, whole; then cells
  * at its sides are cut by them. Else it is the points' bounding box, padded. The output fills the box with nearly cubic
@@ -71,9 +72,19 @@ public:
   itkSetInputMacro(ReferenceImage, ReferenceImageType);
   itkGetInputMacro(ReferenceImage, ReferenceImageType);
 
-  /** Voxels a cell of the output, about; at least 50. The fit takes no more than 1000. Default: 4000. */
+  /** Voxels a cell of the output, about; at least 50. The fit takes no more than 700. Default: 4000. */
   itkSetMacro(VoxelsPerCell, double);
   itkGetConstMacro(VoxelsPerCell, double);
+
+#ifndef ITK_WRAPPING_PARSER
+  /** How sure it is which cells meet, by vertices that are labels: for the JunctionSet of the output, whose adjacencies
+   * are then optimized by it. After the update; for C++. */
+  const std::vector<tissue::JunctionVote> &
+  GetVotes() const
+  {
+    return m_Votes;
+  }
+#endif
 
 protected:
   PointSetToTissueLabelImageFilter();
@@ -97,8 +108,9 @@ private:
   std::vector<tissue::Point>
   MakePoints() const;
 
-  tissue::TissueGrid m_Grid;
-  double             m_VoxelsPerCell{ 4000.0 };
+  tissue::TissueGrid                m_Grid;
+  std::vector<tissue::JunctionVote> m_Votes;
+  double                            m_VoxelsPerCell{ 4000.0 };
 };
 } // namespace itk
 

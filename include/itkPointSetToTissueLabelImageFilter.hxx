@@ -145,10 +145,12 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
   };
   try
   {
-    const auto labels = tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeParallelFor(this), progress);
-    std::transform(labels.begin(), labels.end(), this->GetOutput()->GetBufferPointer(), [](std::int32_t label) {
-      return static_cast<LabelPixelType>(label);
-    });
+    auto tissue = tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeParallelFor(this), progress);
+    m_Votes = std::move(tissue.votes);
+    std::transform(tissue.labels.begin(),
+                   tissue.labels.end(),
+                   this->GetOutput()->GetBufferPointer(),
+                   [](std::int32_t label) { return static_cast<LabelPixelType>(label); });
   }
   catch (const tissue::Aborted &)
   {

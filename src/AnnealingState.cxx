@@ -13,11 +13,12 @@ namespace tissue
 std::vector<TetrahedronId>
 AnnealingState::WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra) const
 {
+  constexpr double           leastCertainty = 0.8;
   std::vector<TetrahedronId> list;
   for (const TetrahedronId id : tetrahedra)
   {
     const AdjacencyComplex::Tetrahedron & tetrahedron = complex.GetTetrahedron(id);
-    if (!energy.GetReference()->HasQuadruple(tetrahedron.vertices))
+    if (energy.GetReference()->Certainty(tetrahedron.vertices) < leastCertainty)
     {
       list.push_back(id);
       list.insert(list.end(), tetrahedron.neighbors.begin(), tetrahedron.neighbors.end());
@@ -36,8 +37,7 @@ AnnealingState::RemoveEdgeByReference(VertexPair edge) const
     const VertexId a = ring.vertices[i];
     const VertexId b = ring.vertices[j];
     const VertexId c = ring.vertices[k];
-    return (reference.HasQuadruple({ { edge[0], a, b, c } }) ? 0.0 : 1.0) +
-           (reference.HasQuadruple({ { edge[1], a, b, c } }) ? 0.0 : 1.0);
+    return 2.0 - reference.Certainty({ { edge[0], a, b, c } }) - reference.Certainty({ { edge[1], a, b, c } });
   });
 }
 

@@ -49,9 +49,7 @@ EnergyFunction::Evaluate(const Sums & sums) const
   double image = 0.0;
   if (m_Reference)
   {
-    image = m_Parameters.adjacencyWeight * Jaccard(static_cast<std::size_t>(sums.hits),
-                                                   static_cast<std::size_t>(sums.tetrahedra),
-                                                   m_Reference->NumberOfQuadruples()) +
+    image = m_Parameters.adjacencyWeight * this->QuadrupleTerm(sums) +
             m_Parameters.pairWeight * Jaccard(static_cast<std::size_t>(sums.pairHits),
                                               static_cast<std::size_t>(sums.edges),
                                               m_Reference->NumberOfPairs());
@@ -59,6 +57,18 @@ EnergyFunction::Evaluate(const Sums & sums) const
   const auto cells = static_cast<double>(m_Complex.NumberOfVertices() - 1);
   return -image + m_Parameters.neighborWeight * sums.prior / cells +
          m_Parameters.lengthWeight * sums.length / (static_cast<double>(sums.tetrahedra) * m_Parameters.unitLength);
+}
+
+double
+EnergyFunction::QuadrupleTerm(const Sums & sums) const
+{
+  const std::size_t quadruples = m_Reference->NumberOfQuadruples();
+  if (m_Reference->HasVotes())
+  {
+    return (sums.votes - m_Parameters.leastVote * static_cast<double>(sums.tetrahedra)) /
+           static_cast<double>(quadruples);
+  }
+  return Jaccard(static_cast<std::size_t>(sums.hits), static_cast<std::size_t>(sums.tetrahedra), quadruples);
 }
 
 double
@@ -101,7 +111,11 @@ void
 EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums & sums) const
 {
   sums.tetrahedra += sign;
-  if (m_Reference && m_Reference->HasQuadruple(vertices))
+  if (m_Reference && m_Reference->HasVotes())
+  {
+    sums.votes += sign * m_Reference->Certainty(vertices);
+  }
+  else if (m_Reference && m_Reference->HasQuadruple(vertices))
   {
     sums.hits += sign;
   }

@@ -11,6 +11,7 @@
 #include "TissueTessellationCore/LocalSpacing.h"
 #include "TissueTessellationCore/PointRange.h"
 #include "TissueTessellationCore/TissueSurface.h"
+#include "TissueTessellationCore/TissueVotes.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
@@ -24,26 +25,37 @@ namespace
 {
 constexpr double LeastVoxelsPerCell = 50.0;
 /** More make the fit no better, only the labels that come of it. */
-constexpr double VoxelsPerCellOfFit = 1000.0;
+constexpr double VoxelsPerCellOfFit = 700.0;
 /** The cube of the mean distance of the eight nearest is so many times the volume of a cell, in plant tissues. */
 constexpr double CubedSpacingOfCell = 1.17;
 constexpr int    NumberOfRounds = 5;
 constexpr int    SweepsPerRound = 3;
 constexpr int    LastSweeps = 10;
+/** Of the progress: the votes take as long as so many sweeps. */
+constexpr int SweepsOfVotes = 40;
 /** Fewer inner cells than these do not tell the noise. */
 constexpr std::size_t LeastInnerCells = 20;
 
 /** \brief How far seeds are to be drawn back to points that are not quite the centroids.
  *
  * Displaced points are no tissue's centroids, and the seeds have to go farther for it. In units of the local spacing
- * the median shift is .105 .. .132 for exact points of real and synthetic tissues, .141 .. .164 for points displaced by
- * a tenth of the cells' diameter (root mean square), .180 .. .211 by a fifth. */
+ * the median shift is .105 .. .142 for exact points of real and synthetic tissues, .145 .. .185 for points displaced by
+ * a tenth of the cells' diameter (root mean square), .197 .. .248 by a fifth. */
 double
 RelaxationOf(double shift)
 {
-  constexpr double shiftOfExactPoints = 0.12;
+  constexpr double shiftOfExactPoints = 0.115;
   constexpr double growth = 15.0;
   return std::clamp(growth * (shift - shiftOfExactPoints), 0.0, 1.0);
+}
+
+/** Of the seeds, by how far they are drawn back, which tells how exact the points are. */
+double
+UncertaintyOf(double relaxation)
+{
+  constexpr double uncertaintyOfExactPoints = 0.02;
+  constexpr double growth = 0.025;
+  return uncertaintyOfExactPoints + growth * relaxation;
 }
 
 std::string
@@ -92,6 +104,17 @@ RefusePointsOutside(const std::vector<Point> & points, const TissueGrid & grid)
                                   " is outside of the box from " + ToText(box.lower) + " to " + ToText(box.upper));
     }
   }
+}
+
+std::vector<double>
+SpacingsOf(const TissueSurface & surface, std::size_t numberOfPoints)
+{
+  std::vector<double> spacings;
+  for (std::size_t i = 0; i < numberOfPoints; ++i)
+  {
+    spacings.push_back(surface.Spacing(i));
+  }
+  return spacings;
 }
 
 /** The grid to fit cells in: the same box, no more than enough points. */
@@ -191,21 +214,21 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
   return MakeTissueGrid(box, spacing / std::cbrt(CubedSpacingOfCell * voxelsPerCell));
 }
 
-std::vector<std::int32_t>
+PointTissue
 EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const ParallelFor & parallelFor,
                const ProgressFunction & progress)
 {
   RefusePointsOutOfRange(points);
   RefusePointsOutside(points, grid);
   TissueSurface    surface(points, BoxOf(grid));
-  CentroidFit      fit(points);
+  CentroidFit      fit(points, surface.FindNeighbors());
   const TissueGrid fitGrid = FitGridOf(points, grid);
   TissueSamples    samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
-  const int        numberOfSweeps = NumberOfRounds * SweepsPerRound + LastSweeps;
+  constexpr double numberOfSteps = NumberOfRounds * SweepsPerRound + LastSweeps + SweepsOfVotes + 1;
   int              sweeps = 0;
   const auto       sweep = [&](double relaxation) {
     fit.Sweep(samples, relaxation, parallelFor);
-    Report(progress, static_cast<double>(++sweeps) / (numberOfSweeps + 1));
+    Report(progress, ++sweeps / numberOfSteps);
   };
   for (int round = 0; round < NumberOfRounds; ++round)
   {
@@ -221,18 +244,27 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
   {
     sweep(relaxation);
   }
+  PointTissue tissue;
+  tissue.votes = VoteOnJunctions(
+    fit.GetSeeds(),
+    SpacingsOf(surface, points.size()),
+    samples,
+    fitGrid,
+    UncertaintyOf(relaxation),
+    parallelFor,
+    [&](double fraction) { return !progress || progress((sweeps + fraction * SweepsOfVotes) / numberOfSteps); });
   if (fitGrid.NumberOfPoints() < grid.NumberOfPoints())
   {
     samples = SampleMask(surface.MakeMask(grid, parallelFor));
   }
-  const auto                cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, parallelFor);
-  std::vector<std::int32_t> labels(grid.NumberOfPoints(), 0);
+  const auto cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, parallelFor);
+  tissue.labels.assign(grid.NumberOfPoints(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    labels[grid.OffsetAt(samples.points[i])] = cells[i] + 1;
+    tissue.labels[grid.OffsetAt(samples.points[i])] = cells[i] + 1;
   }
-  PlantLostCells(labels, grid, points);
+  PlantLostCells(tissue.labels, grid, points);
   Report(progress, 1.0);
-  return labels;
+  return tissue;
 }
 } // namespace tissue

@@ -7,8 +7,6 @@
 #include "TissueTessellationCore/ReferenceAdjacency.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace tissue
 {
@@ -29,132 +27,63 @@ ListTuples(const std::vector<TEntry> & entries)
 }
 
 template <typename TTuple>
+void
+RenumberTuple(TTuple & tuple, const std::vector<VertexId> & ids)
+{
+  for (VertexId & v : tuple)
+  {
+    v = ids[v];
+  }
+  std::sort(tuple.begin(), tuple.end());
+}
+
+template <typename TTuple>
 std::vector<TTuple>
 RenumberTuples(std::vector<TTuple> tuples, const std::vector<VertexId> & ids)
 {
   for (TTuple & tuple : tuples)
   {
-    for (VertexId & v : tuple)
-    {
-      v = ids[v];
-    }
-    std::sort(tuple.begin(), tuple.end());
+    RenumberTuple(tuple, ids);
   }
   std::sort(tuples.begin(), tuples.end());
   return tuples;
 }
-
-/** Begins of rows, one for each vertex and one past the last: a tuple is in the row of its largest vertex. */
-template <typename TTuple>
-std::vector<std::size_t>
-CountRows(std::size_t numberOfRows, const std::vector<TTuple> & tuples)
-{
-  std::vector<std::size_t> begins(numberOfRows + 1, 0);
-  for (const TTuple & tuple : tuples)
-  {
-    ++begins[static_cast<std::size_t>(tuple.back()) + 1];
-  }
-  for (std::size_t row = 0; row < numberOfRows; ++row)
-  {
-    begins[row + 1] += begins[row];
-  }
-  return begins;
-}
-
-/** Words of the filter in which a quadruple may have its bit, a power of two, and what is left of a hash for them. */
-constexpr std::size_t FilterWindow = 8;
-constexpr int         FilterShift = 64 - 3 - 6;
-
-/** Bits of a vertex id in a packed triple. */
-constexpr int           IdBits = 21;
-constexpr std::uint64_t IdMask = (std::uint64_t{ 1 } << IdBits) - 1;
-
-/** Orders as the triples do. */
-std::uint64_t
-Pack(VertexId a, VertexId b, VertexId c)
-{
-  return (static_cast<std::uint64_t>(a) << (2 * IdBits)) | (static_cast<std::uint64_t>(b) << IdBits) |
-         static_cast<std::uint64_t>(c);
-}
-
-/** Multiplicative hash of a quadruple; its upper bits are the good ones. */
-std::uint64_t
-Hash(std::uint64_t packedOthers, VertexId largest)
-{
-  constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
-  return (packedOthers ^ (static_cast<std::uint64_t>(largest) * golden)) * golden;
-}
-
-/** Sorts four numbers by the shortest network. */
-void
-SortFour(VertexQuadruple & v)
-{
-  const auto order = [&v](int i, int j) {
-    const VertexId smaller = std::min(v[i], v[j]);
-    v[j] = std::max(v[i], v[j]);
-    v[i] = smaller;
-  };
-  order(0, 1);
-  order(2, 3);
-  order(0, 2);
-  order(1, 3);
-  order(1, 2);
-}
 } // namespace
 
 ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
-  : ReferenceAdjacency(junctions.NumberOfVertices(), ListTuples(junctions.walls), ListTuples(junctions.junctions))
+  : ReferenceAdjacency(junctions.NumberOfVertices(), ListTuples(junctions.walls), ListTuples(junctions.junctions),
+                       junctions.votes)
 {}
 
 ReferenceAdjacency::ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
-                                       const std::vector<VertexQuadruple> & quadruples)
+                                       const std::vector<VertexQuadruple> & quadruples,
+                                       const std::vector<JunctionVote> &    votes)
+  : m_PairRows(CountRows(static_cast<std::size_t>(numberOfVertices), pairs))
+  , m_Smaller(pairs.size())
+  , m_Quadruples(numberOfVertices, quadruples)
+  , m_Votes(numberOfVertices, votes)
 {
-  const auto n = static_cast<std::size_t>(numberOfVertices);
-  if (n > IdMask + 1)
-  {
-    throw std::invalid_argument("ReferenceAdjacency: " + std::to_string(n - 1) + " cells, at most " +
-                                std::to_string(IdMask) + " are possible");
-  }
-  m_PairRows = CountRows(n, pairs);
-  m_Smaller.resize(pairs.size());
   std::vector<std::size_t> next(m_PairRows.begin(), m_PairRows.end() - 1);
   for (const VertexPair & pair : pairs)
   {
     m_Smaller[next[pair[1]]++] = pair[0];
-  }
-
-  m_QuadrupleRows = CountRows(n, quadruples);
-  m_Others.resize(quadruples.size());
-  next.assign(m_QuadrupleRows.begin(), m_QuadrupleRows.end() - 1);
-  for (const VertexQuadruple & q : quadruples)
-  {
-    m_Others[next[q[3]]++] = Pack(q[0], q[1], q[2]);
-  }
-
-  constexpr std::size_t bitsPerQuadruple = 24;
-  m_Filter.assign(FilterWindow + m_Others.size() * bitsPerQuadruple / 64, 0);
-  m_FilterWordsPerVertex = ((m_Filter.size() - FilterWindow) << 32) / std::max<std::size_t>(n, 1);
-  for (const VertexQuadruple & q : quadruples)
-  {
-    const std::size_t bit = this->FilterBit(Pack(q[0], q[1], q[2]), q[3]);
-    m_Filter[bit / 64] |= std::uint64_t{ 1 } << (bit % 64);
   }
 }
 
 ReferenceAdjacency
 ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
 {
+  std::vector<JunctionVote> votes = m_Votes.List();
+  for (JunctionVote & vote : votes)
+  {
+    RenumberTuple(vote.cells, ids);
+  }
+  std::sort(
+    votes.begin(), votes.end(), [](const JunctionVote & a, const JunctionVote & b) { return a.cells < b.cells; });
   return { static_cast<VertexId>(m_PairRows.size() - 1),
            RenumberTuples(this->GetPairs(), ids),
-           RenumberTuples(this->GetQuadruples(), ids) };
-}
-
-std::size_t
-ReferenceAdjacency::FilterBit(std::uint64_t others, VertexId largest) const
-{
-  const std::uint64_t hash = Hash(others, largest);
-  const std::uint64_t first = (static_cast<std::uint64_t>(largest) * m_FilterWordsPerVertex) >> 32;
-  return (first << 6) + (hash >> FilterShift);
+           RenumberTuples(this->GetQuadruples(), ids),
+           votes };
 }
 
 bool
@@ -164,22 +93,6 @@ ReferenceAdjacency::HasPair(VertexId u, VertexId v) const
   const auto     begin = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row]);
   const auto     end = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row + 1]);
   return std::binary_search(begin, end, std::min(u, v));
-}
-
-bool
-ReferenceAdjacency::HasQuadruple(const VertexQuadruple & vertices) const
-{
-  VertexQuadruple key = vertices;
-  SortFour(key);
-  const std::uint64_t others = Pack(key[0], key[1], key[2]);
-  const std::size_t   bit = this->FilterBit(others, key[3]);
-  if ((m_Filter[bit / 64] >> (bit % 64) & 1) == 0)
-  {
-    return false;
-  }
-  const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3]]);
-  const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_QuadrupleRows[key[3] + 1]);
-  return std::binary_search(begin, end, others);
 }
 
 std::vector<VertexPair>
@@ -195,24 +108,6 @@ ReferenceAdjacency::GetPairs() const
     }
   }
   return pairs;
-}
-
-std::vector<VertexQuadruple>
-ReferenceAdjacency::GetQuadruples() const
-{
-  std::vector<VertexQuadruple> quadruples;
-  quadruples.reserve(m_Others.size());
-  for (std::size_t row = 0; row + 1 < m_QuadrupleRows.size(); ++row)
-  {
-    for (std::size_t i = m_QuadrupleRows[row]; i < m_QuadrupleRows[row + 1]; ++i)
-    {
-      quadruples.push_back({ { static_cast<VertexId>(m_Others[i] >> (2 * IdBits)),
-                               static_cast<VertexId>((m_Others[i] >> IdBits) & IdMask),
-                               static_cast<VertexId>(m_Others[i] & IdMask),
-                               static_cast<VertexId>(row) } });
-    }
-  }
-  return quadruples;
 }
 
 AdjacencyOverlap

@@ -47,13 +47,26 @@ public:
     const Point gradients[] = { (1.0 / volume) * Cross(sides[1], sides[2]),
                                 (1.0 / volume) * Cross(sides[2], sides[0]),
                                 (1.0 / volume) * Cross(sides[0], sides[1]) };
-    this->Fill(solid.box, [&](const Point & p) {
-      const Point  offset = p - c[0];
-      const double a = Dot(gradients[0], offset);
-      const double b = Dot(gradients[1], offset);
-      const double d = Dot(gradients[2], offset);
-      return a >= 0.0 && b >= 0.0 && d >= 0.0 && a + b + d <= 1.0;
-    });
+    const Range x = this->RangeOf(0, solid.box);
+    const Range y = this->RangeOf(1, solid.box);
+    const Range z = this->RangeOf(2, solid.box);
+    for (std::int32_t k = z.first; k <= z.last; ++k)
+    {
+      for (std::int32_t j = y.first; j <= y.last; ++j)
+      {
+        for (std::int32_t i = x.first; i <= x.last; ++i)
+        {
+          const Point  offset = m_Mask.grid.Position(i, j, k) - c[0];
+          const double a = Dot(gradients[0], offset);
+          const double b = Dot(gradients[1], offset);
+          const double d = Dot(gradients[2], offset);
+          if (a >= 0.0 && b >= 0.0 && d >= 0.0 && a + b + d <= 1.0)
+          {
+            m_Mask.inside[m_Mask.grid.Offset(i, j, k)] = 1;
+          }
+        }
+      }
+    }
   }
 
   /** Balls, the radius of each linear between the corners' depths, so close that no grid point falls between, or what
@@ -82,42 +95,50 @@ private:
   void
   AddBall(const Point & center, double radius)
   {
-    const Point reach{ { radius, radius, radius } };
-    this->Fill({ center - reach, center + reach }, [&](const Point & p) {
-      const Point offset = p - center;
-      return Dot(offset, offset) <= radius * radius;
-    });
-  }
-
-  template <typename TPredicate>
-  void
-  Fill(const Box & box, const TPredicate & isInside)
-  {
-    std::array<std::int32_t, 3> from;
-    std::array<std::int32_t, 3> to;
-    for (int i = 0; i < 3; ++i)
+    const Range y = this->RangeOf(1, center[1], radius);
+    const Range z = this->RangeOf(2, center[2], radius);
+    for (std::int32_t k = z.first; k <= z.last; ++k)
     {
-      const double first = i == 2 ? m_First : 0.0;
-      const double last = (i == 2 ? m_End : m_Mask.grid.size[i]) - 1.0;
-      const double lower = (box.lower[i] - m_Mask.grid.lower[i]) / m_Mask.grid.steps[i] - 0.5;
-      const double upper = (box.upper[i] - m_Mask.grid.lower[i]) / m_Mask.grid.steps[i] - 0.5;
-      from[i] = static_cast<std::int32_t>(std::clamp(std::floor(lower), first, last));
-      to[i] = static_cast<std::int32_t>(std::clamp(std::ceil(upper), first, last));
-    }
-    for (std::int32_t z = from[2]; z <= to[2]; ++z)
-    {
-      for (std::int32_t y = from[1]; y <= to[1]; ++y)
+      for (std::int32_t j = y.first; j <= y.last; ++j)
       {
-        for (std::int32_t x = from[0]; x <= to[0]; ++x)
+        const Point  offset = m_Mask.grid.Position(0, j, k) - center;
+        const double rest = radius * radius - offset[1] * offset[1] - offset[2] * offset[2];
+        if (rest >= 0.0)
         {
-          std::uint8_t & inside = m_Mask.inside[m_Mask.grid.Offset(x, y, z)];
-          if (inside == 0 && isInside(m_Mask.grid.Position(x, y, z)))
+          const Range x = this->RangeOf(0, center[0], std::sqrt(rest));
+          if (x.first <= x.last)
           {
-            inside = 1;
+            std::fill_n(m_Mask.inside.begin() + static_cast<std::ptrdiff_t>(m_Mask.grid.Offset(x.first, j, k)),
+                        x.last - x.first + 1,
+                        std::uint8_t{ 1 });
           }
         }
       }
     }
+  }
+
+  struct Range
+  {
+    std::int32_t first;
+    std::int32_t last;
+  };
+
+  /** Of the slab's grid points along an axis those within a distance of a position; none where last < first. */
+  Range
+  RangeOf(int axis, double center, double distance) const
+  {
+    const double first = axis == 2 ? m_First : 0.0;
+    const double last = (axis == 2 ? m_End : m_Mask.grid.size[axis]) - 1.0;
+    const double middle = (center - m_Mask.grid.lower[axis]) / m_Mask.grid.steps[axis] - 0.5;
+    const double reach = distance / m_Mask.grid.steps[axis];
+    return { static_cast<std::int32_t>(std::clamp(std::ceil(middle - reach), first, last + 1.0)),
+             static_cast<std::int32_t>(std::clamp(std::floor(middle + reach), first - 1.0, last)) };
+  }
+
+  Range
+  RangeOf(int axis, const Box & box) const
+  {
+    return this->RangeOf(axis, 0.5 * (box.lower[axis] + box.upper[axis]), 0.5 * (box.upper[axis] - box.lower[axis]));
   }
 
   TissueMask & m_Mask;

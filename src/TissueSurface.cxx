@@ -185,6 +185,23 @@ TissueSurface::Follow(const std::vector<MetricSeed> & seeds)
   this->EvenOut(Evenness);
 }
 
+CellNeighbors
+TissueSurface::FindNeighbors() const
+{
+  CellNeighbors neighbors(m_IsCut.size() - 1);
+  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
+  {
+    const auto u = static_cast<std::size_t>(edge.vertices[0]);
+    const auto v = static_cast<std::size_t>(edge.vertices[1]);
+    if (u > 0 && v < m_IsCut.size())
+    {
+      neighbors[u - 1].push_back(v - 1);
+      neighbors[v - 1].push_back(u - 1);
+    }
+  }
+  return neighbors;
+}
+
 TissueMask
 TissueSurface::MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor) const
 {

@@ -29,6 +29,18 @@ namespace
 /** Differences above this many temperatures have a probability below 1e-17: never tried. */
 constexpr double HopelessTemperatures = 40.0;
 
+/** Where there are votes, most tetrahedra are in doubt: many need a little, and no energy is known to be below 0. */
+FocusedAnnealingParameters
+VoteAnnealing()
+{
+  FocusedAnnealingParameters parameters;
+  parameters.initialTemperature = 0.5;
+  parameters.numberOfRounds = 12;
+  parameters.proposalsPerTetrahedron = 6;
+  parameters.returnsFromMelting = false;
+  return parameters;
+}
+
 template <typename TCandidates>
 void
 Rank(TCandidates & candidates)
@@ -67,10 +79,13 @@ TopologyOptimizer::TopologyOptimizer(AdjacencyComplex & complex, const std::vect
 double
 TopologyOptimizer::OneElement() const
 {
-  return m_State.energy.GetReference() ? m_EnergyParameters.adjacencyWeight /
-                                           std::max<double>(1.0, m_State.energy.GetReference()->NumberOfQuadruples())
-                                       : (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
-                                           static_cast<double>(m_State.complex.NumberOfVertices());
+  // With votes one tetrahedron for another changes the energy by so much of one that all votes are for.
+  constexpr double                 changeOfVotes = 0.2;
+  const ReferenceAdjacency * const reference = m_State.energy.GetReference();
+  return reference ? (reference->HasVotes() ? changeOfVotes : 1.0) * m_EnergyParameters.adjacencyWeight /
+                       std::max<double>(1.0, reference->NumberOfQuadruples())
+                   : (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
+                       static_cast<double>(m_State.complex.NumberOfVertices());
 }
 
 std::vector<AnnealingCycle>
@@ -82,7 +97,11 @@ TopologyOptimizer::Run(const ProgressFunction & progress)
     return [&progress, begin, end](double f) { return !progress || progress(begin + (end - begin) * f); };
   };
   const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, isFocused ? 0.4 : 1.0));
-  if (isFocused)
+  if (isFocused && m_State.energy.GetReference()->HasVotes())
+  {
+    AnnealWhereWrong(m_State, VoteAnnealing(), OneElement(), partOf(0.4, 1.0));
+  }
+  else if (isFocused)
   {
     AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.6));
     m_NumberOfRelocatedVertices = RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.6, 0.8));

@@ -24,6 +24,12 @@ Weight(const Wall & wall)
   return wall.numberOfFaces;
 }
 
+double
+Weight(const JunctionVote & vote)
+{
+  return vote.share;
+}
+
 template <typename TItem>
 std::int64_t
 Weight(const TItem & item)
@@ -53,6 +59,10 @@ Join(Junction & junction, const Junction & other)
   junction.numberOfExactBlocks += other.numberOfExactBlocks;
   junction.numberOfClusters += other.numberOfClusters;
 }
+
+void
+Join(JunctionVote &, const JunctionVote &)
+{}
 
 /** Replaces the vertices of each item by `rename`, drops those in which two become the same, joins equal ones. */
 template <typename TItem, typename TRename>
@@ -93,6 +103,7 @@ RenameAll(JunctionSet & junctions, const TRename & rename)
   Rename(junctions.walls, rename);
   Rename(junctions.tripleLines, rename);
   Rename(junctions.junctions, rename);
+  Rename(junctions.votes, rename);
 }
 } // namespace
 

@@ -13,6 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace
 {
 using namespace tissue;
@@ -59,6 +62,13 @@ Agreement(const std::vector<SeedId> & a, const std::vector<SeedId> & b)
   return static_cast<double>(same) / static_cast<double>(a.size());
 }
 
+/** Without any. */
+CellNeighbors
+Alone(std::size_t numberOfCells)
+{
+  return CellNeighbors(numberOfCells);
+}
+
 /** Anisotropic cells of unlike sizes, their centroids, and what the fit and Voronoi cells make of these. */
 struct Recovery
 {
@@ -76,7 +86,7 @@ struct Recovery
     options.seed = 2;
     truth = AssignSamples(GrowSyntheticCells(samples, options, ProgressFunction()), samples);
     points = CentroidsOf(truth, samples, 64);
-    voronoi = this->Assign(CentroidFit(points));
+    voronoi = this->Assign(CentroidFit(points, Alone(64)));
   }
 
   std::vector<SeedId>
@@ -88,7 +98,7 @@ struct Recovery
   CentroidFit
   Fit(double relaxation, const ParallelFor & parallelFor = ParallelFor()) const
   {
-    CentroidFit fit(points);
+    CentroidFit fit(points, Alone(64));
     for (int sweep = 0; sweep < 20; ++sweep)
     {
       fit.Sweep(samples, relaxation, parallelFor);
@@ -105,7 +115,7 @@ TEST(CentroidFit, LeavesARegularPackingAsItIs)
   {
     points.push_back({ { i % 4 + 0.5, i / 4 % 4 + 0.5, i / 16 + 0.5 } });
   }
-  CentroidFit fit(points);
+  CentroidFit fit(points, Alone(64));
   for (int sweep = 0; sweep < 5; ++sweep)
   {
     fit.Sweep(SampleCube(0.1), 0.0);
@@ -147,10 +157,41 @@ TEST(CentroidFit, HoldsSeedsBackByTheRelaxation)
   EXPECT_GT(shift(0.0), 1.5 * shift(0.3));
 }
 
+TEST(CentroidFit, TakesTheShapeThatNeighborsHaveInCommon)
+{
+  // A lattice of cells twice as long in z, which are drawn out alike, and one point that is out of place.
+  std::vector<Point> points;
+  CellNeighbors      all(32);
+  for (int i = 0; i < 32; ++i)
+  {
+    points.push_back({ { i % 4 + 0.5, i / 4 % 4 + 0.5, i / 16 * 2 + 1.0 } });
+    for (std::size_t j = 0; j < 32; ++j)
+    {
+      if (j != static_cast<std::size_t>(i))
+      {
+        all[static_cast<std::size_t>(i)].push_back(j);
+      }
+    }
+  }
+  points[5][0] += 0.3;
+  const auto ratioOf = [&](CellNeighbors neighbors, std::size_t cell) {
+    CentroidFit fit(points, std::move(neighbors));
+    for (int sweep = 0; sweep < 10; ++sweep)
+    {
+      fit.Sweep(SampleCube(0.1), 0.5);
+    }
+    const Metric & metric = fit.GetSeeds()[cell].metric;
+    return std::pair<double, double>(metric[0] / metric[5], metric[3] / metric[0]);
+  };
+  EXPECT_GT(ratioOf(all, 5).first, 1.5);
+  // Its own shape would tell it from the others more.
+  EXPECT_LT(std::abs(std::log(ratioOf(all, 5).second)), std::abs(std::log(ratioOf(Alone(32), 5).second)));
+}
+
 TEST(CentroidFit, SendsTheSeedOfAnEmptyCellBackToItsPoint)
 {
   const std::vector<Point> points{ { { 1.0, 2.0, 2.0 } }, { { 3.0, 2.0, 2.0 } }, { { 40.0, 2.0, 2.0 } } };
-  CentroidFit              fit(points);
+  CentroidFit              fit(points, Alone(3));
   fit.Sweep(SampleCube(0.2), 0.0);
   EXPECT_EQ(fit.GetSeeds()[2].position, points[2]);
 }

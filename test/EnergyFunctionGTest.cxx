@@ -63,6 +63,19 @@ TEST(EnergyFunction, ImageTermIsTheJaccardIndex)
   EXPECT_EQ(EnergyFunction(complex, centers, nullptr, Weights(8.0, 0.0, 0.0)).Total(), 0.0);
 }
 
+TEST(EnergyFunction, ImageTermIsTheSumOfVotesAboveTheLeastWhereThereAreSome)
+{
+  const auto             centers = FiveCells();
+  const AdjacencyComplex complex = DelaunayComplex(centers);
+  JunctionSet            junctions = JunctionsOf(complex, centers);
+  junctions.votes = { { { { 0, 1, 2, 3 } }, 0.75 }, { { { 1, 2, 3, 4 } }, 1.0 }, { { { 1, 2, 3, 5 } }, 0.5 } };
+  const ReferenceAdjacency reference(junctions);
+  EnergyParameters         parameters = Weights(8.0, 0.0, 0.0);
+  parameters.leastVote = 0.25;
+  // Of the eight tetrahedra two have votes.
+  EXPECT_NEAR(EnergyFunction(complex, centers, &reference, parameters).Total(), -8.0 * (1.25 - 8 * 0.25) / 8.0, 1e-12);
+}
+
 TEST(EnergyFunction, PriorTermByHand)
 {
   const auto             centers = FiveCells();
@@ -101,11 +114,20 @@ TEST(EnergyFunction, TermsAddUp)
 
 TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
 {
-  for (const bool withReference : { false, true })
+  for (const int kind : { 0, 1, 2 })
   {
-    const auto               centers = RandomCenters(25, 2);
-    AdjacencyComplex         complex = DelaunayComplex(centers);
-    const ReferenceAdjacency reference(JunctionsOf(complex, centers));
+    const bool       withReference = kind > 0;
+    const auto       centers = RandomCenters(25, 2);
+    AdjacencyComplex complex = DelaunayComplex(centers);
+    JunctionSet      junctions = JunctionsOf(complex, centers);
+    for (const Junction & junction : junctions.junctions)
+    {
+      if (kind == 2)
+      {
+        junctions.votes.push_back({ junction.cells, 1.0 / static_cast<double>(junctions.votes.size() % 7 + 1) });
+      }
+    }
+    const ReferenceAdjacency reference(junctions);
     const LocalOperations    operations(complex, centers, Legality::Combinatorial);
     const EnergyParameters   parameters;
     EnergyFunction           energy(complex, centers, withReference ? &reference : nullptr, parameters);

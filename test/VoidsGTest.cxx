@@ -44,6 +44,7 @@ FourCellsTwoVoids()
   junction({ { 0, 1, 2, 5 } }, 1, 99.0);
   junction({ { 1, 2, 3, 5 } }, 3, 20.0);
   junction({ { 1, 2, 3, 6 } }, 4, 30.0);
+  set.votes = { { { { 0, 1, 2, 3 } }, 0.5 }, { { { 0, 1, 2, 5 } }, 1.0 }, { { { 1, 2, 3, 5 } }, 0.75 } };
   return set;
 }
 } // namespace
@@ -70,6 +71,9 @@ TEST(Voids, MergedJunctionsAreTheExteriors)
   EXPECT_EQ(merged.junctions[0].numberOfBlocks, 9);
   EXPECT_EQ(merged.junctions[0].numberOfClusters, 3);
   EXPECT_DOUBLE_EQ(merged.junctions[0].position[0], 30.0);
+  ASSERT_EQ(merged.votes.size(), 1u);
+  EXPECT_EQ(merged.votes[0].cells, (VertexQuadruple{ { 0, 1, 2, 3 } }));
+  EXPECT_EQ(merged.votes[0].share, 0.75);
 }
 
 TEST(Voids, OfOtherPartsAreTheExteriorOfThePartWithin)

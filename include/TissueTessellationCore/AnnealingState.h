@@ -78,11 +78,12 @@ struct AnnealingState
     return complex.GetTetrahedron(complex.GetTetrahedron(id).neighbors[i]).vertices[complex.MirrorIndex(id, i)];
   }
 
-  /** Those of the tetrahedra that are not in the reference, and their neighbours; ascending. */
+  /** Those of the tetrahedra that are not in the reference, or have less than four fifths of its votes, and their
+   * neighbours; ascending. */
   std::vector<TetrahedronId>
   WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra) const;
 
-  /** Edge removal with the ring's triangulation that makes most quadruples of the reference. */
+  /** Edge removal with the ring's triangulation that makes most quadruples of the reference, or with most votes. */
   Proposal
   RemoveEdgeByReference(VertexPair edge) const;
 

@@ -8,6 +8,7 @@
 #define TissueTessellationCore_CentroidFit_h
 
 #include "TissueTessellationCore/CellMoments.h"
+#include "TissueTessellationCore/MetricSmoothing.h"
 #include "TissueTessellationCore/TissueSamples.h"
 
 #include <vector>
@@ -19,18 +20,21 @@ namespace tissue
  * What is known of cells by their centres alone is that the centres are centroids: of all tessellations, few have their
  * cells' centroids on the points, and such a one shows more of the cells' sizes and shapes than the points' Voronoi
  * cells do. In sweeps, ten or so, each seed moves by a part of the way from its cell's centroid to its point, and its
- * metric follows the cell's shape: M = exp(- 0.3 * deviator of log covariance), half as much where relaxed. Before the
- * first sweep the cells are the points' Voronoi cells. */
+ * metric follows the shapes of the cell and, far more, of those about it: M = exp(- 0.1 * own - 0.8 * common), a shape
+ * being the deviator of the logarithm of a cell's covariance, and the common one a mean over some fifty cells. What one
+ * cell shows of its shape is much disturbed where its point and its neighbours' are not quite their centroids; that
+ * neighbours are drawn out alike is not. Before the first sweep the cells are the points' Voronoi cells. */
 class CentroidFit
 {
 public:
-  /** At least one point. */
-  explicit CentroidFit(std::vector<Point> points);
+  /** \param points at least one.
+   * \param neighbors of the cell of each point. */
+  CentroidFit(std::vector<Point> points, CellNeighbors neighbors);
 
   /** \param samples the tissue, by about 500 or more samples a cell. The seed of a cell without one goes back to its
    * point.
    * \param relaxation how far the seeds are drawn back to their points after their step: 0 where points are exact, up
-   * to 1, Voronoi cells but for half of the metrics, where they say little. */
+   * to 1, Voronoi cells but for the metrics, where they say little. */
   void
   Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor = ParallelFor());
 
@@ -43,9 +47,10 @@ public:
 
 private:
   void
-  Adapt(std::size_t cell, const CellMoments & moments, double relaxation);
+  Move(std::size_t cell, const CellMoments & moments, double relaxation);
 
   const std::vector<Point> m_Points;
+  const CellNeighbors      m_Neighbors;
   std::vector<MetricSeed>  m_Seeds;
   std::vector<Metric>      m_LogMetrics;
 };

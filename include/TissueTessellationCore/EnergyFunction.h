@@ -19,6 +19,8 @@ struct EnergyParameters
 {
   /** Of the image term, equation 2; without a reference the term is 0. */
   double adjacencyWeight = 8.0;
+  /** With votes: the share of them from which on a tetrahedron is better than none. */
+  double leastVote = 0.48;
   /** Of the same term for pairs of cells that share a wall, which the paper has not. */
   double pairWeight = 0.0;
   /** Of the prior on the numbers of neighbours, equation 3. */
@@ -38,6 +40,9 @@ struct EnergyParameters
  *     + w_length mean over tetrahedra of the longest edge,
  * where a cell's ideal number N is epidermalNeighbors + 1 where it touches the exterior, which is counted in n. A
  * tetrahedron with the exterior, which has no position, has the longest edge of its triangle of cells.
+ *
+ * Where the reference has votes, (sum over T of (share of the votes - leastVote)) / |S| is in the place of
+ * |T & S| / |T | S|: what is sure counts for more than what is just likely.
  *
  * Difference() takes time in the size of the replacement alone. */
 class EnergyFunction
@@ -94,10 +99,14 @@ private:
     std::int64_t edges = 0;
     double       prior = 0.0;
     double       length = 0.0;
+    double       votes = 0.0;
   };
 
   double
   Evaluate(const Sums & sums) const;
+
+  double
+  QuadrupleTerm(const Sums & sums) const;
 
   Sums
   SumsAfter(const Replacement & replacement) const;

@@ -24,12 +24,15 @@ struct FocusedAnnealingParameters
   int proposalsPerTetrahedron = 60;
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 8;
+  /** Whether a complex that has lost a fifth of the best one's energy goes back to it; needs an energy below 0. */
+  bool returnsFromMelting = true;
 };
 
 /** \brief Anneals a complex where it disagrees with its reference.
  *
  * The complex is right nearly everywhere after the ranked cycles; the chance to leave a local minimum is worth spending
- * only around what is wrong. Each round lists the tetrahedra that are not in the reference and their neighbours, and
+ * only around what is wrong. Each round lists the tetrahedra that are not in the reference, or have
+ * less than four fifths of its votes, and their neighbours, and
  * proposes random edge removals and triangle swaps at them, by the Metropolis rule. The best state seen at the end of a
  * round is kept.
  *

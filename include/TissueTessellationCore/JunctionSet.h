@@ -70,6 +70,14 @@ struct Junction
   std::int32_t numberOfClusters = 1;
 };
 
+/** How sure it is that four cells meet, where cells are estimates. */
+struct JunctionVote
+{
+  VertexQuadruple cells = { { 0, 0, 0, 0 } };
+  /** Of the votes those for it, above 0, at most 1. */
+  double share = 1.0;
+};
+
 /** \brief Everything the topological optimization takes from a label image (paper, section 3.4).
  *
  * The vertices of the adjacency complex are the indices of `cells`, the exterior first, then the cells in ascending
@@ -85,6 +93,8 @@ struct JunctionSet
   std::vector<Wall>       walls;
   std::vector<TripleLine> tripleLines;
   std::vector<Junction>   junctions;
+  /** Of estimated cells (TissueVotes.h); empty where the image is taken at its word. */
+  std::vector<JunctionVote> votes;
   /** 2x2x2 blocks with more than four labels. */
   std::int64_t numberOfCrowdedBlocks = 0;
 

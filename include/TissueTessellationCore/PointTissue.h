@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_PointTissue_h
 #define TissueTessellationCore_PointTissue_h
 
+#include "TissueTessellationCore/JunctionSet.h"
 #include "TissueTessellationCore/Progress.h"
 #include "TissueTessellationCore/TissueMask.h"
 
@@ -24,23 +25,31 @@ PaddedBox(const std::vector<Point> & points);
 TissueGrid
 MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell);
 
-/** \brief The label image of a tissue as its cells' centres tell it: where the tissue is, and the tessellation of it
+/** What centres of cells tell of their tissue. */
+struct PointTissue
+{
+  /** The label image: i + 1 for the cell of point i, 0 for the exterior, in the order of the grid's points. */
+  std::vector<std::int32_t> labels;
+  /** How sure it is which cells meet: vertex i + 1 is the cell of point i (TissueVotes.h). */
+  std::vector<JunctionVote> votes;
+};
+
+/** \brief The tissue as its cells' centres tell it: where the tissue is, and the tessellation of it
  * that has its cells' centroids on the points.
  *
  * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
  * seeds go for it tells how exact they are, and in the last sweeps the seeds are held back accordingly.
  *
- * In a grid of more than 1000 points to a cell the fit takes only so many: small walls need fine labels, the fit does
+ * In a grid of more than 700 points to a cell the fit takes only so many: small walls need fine labels, the fit does
  * not.
  *
  * Every point has a cell. The result does not depend on the number of threads.
  * \param grid of the box that is all there is of the tissue: what is outside of it is exterior, and cells may be cut by
  * its sides.
- * \return i + 1 for the cell of point i, 0 for the exterior, in the order of the grid's points.
  * \throws std::invalid_argument for fewer than four points, two at one place, all in one plane, one that is not finite
  * or not in the box.
  * \throws Aborted where `progress` asks to stop. */
-std::vector<std::int32_t>
+PointTissue
 EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid,
                const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
 } // namespace tissue

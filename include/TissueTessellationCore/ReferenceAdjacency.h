@@ -8,7 +8,7 @@
 #define TissueTessellationCore_ReferenceAdjacency_h
 
 #include "TissueTessellationCore/AdjacencyComplex.h"
-#include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/JunctionVotes.h"
 
 #include <vector>
 
@@ -31,7 +31,25 @@ public:
 
   /** Vertices in any order. */
   bool
-  HasQuadruple(const VertexQuadruple & vertices) const;
+  HasQuadruple(const VertexQuadruple & vertices) const
+  {
+    return m_Quadruples.Find(vertices) != QuadrupleSet::NotFound;
+  }
+
+  /** Whether the quadruples are estimates, with votes on each (JunctionSet::votes). */
+  bool
+  HasVotes() const
+  {
+    return !m_Votes.IsEmpty();
+  }
+
+  /** How sure it is that the four meet, in 0 .. 1: the share of the votes, and where there are none, 1 for the
+   * quadruples of the reference and 0 for others. Vertices in any order. */
+  double
+  Certainty(const VertexQuadruple & vertices) const
+  {
+    return this->HasVotes() ? m_Votes.Share(vertices) : this->HasQuadruple(vertices) ? 1.0 : 0.0;
+  }
 
   /** All pairs, ascending within each. */
   std::vector<VertexPair>
@@ -39,7 +57,10 @@ public:
 
   /** All quadruples, ascending within each. */
   std::vector<VertexQuadruple>
-  GetQuadruples() const;
+  GetQuadruples() const
+  {
+    return m_Quadruples.List();
+  }
 
   std::size_t
   NumberOfPairs() const
@@ -50,28 +71,19 @@ public:
   std::size_t
   NumberOfQuadruples() const
   {
-    return m_Others.size();
+    return m_Quadruples.Size();
   }
 
 private:
   /** Of tuples that ascend, each within, and all of them by the smaller ones of each. */
   ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
-                     const std::vector<VertexQuadruple> & quadruples);
+                     const std::vector<VertexQuadruple> & quadruples, const std::vector<JunctionVote> & votes);
 
-  /** Where the filter has the bit of a quadruple: near those of the quadruples with a largest vertex near by. */
-  std::size_t
-  FilterBit(std::uint64_t others, VertexId largest) const;
-
-  /** Compressed rows: the row of a vertex holds the tuples of which it is the largest, by the others, ascending. The
-   * other three of a quadruple are packed into one number. */
-  std::vector<std::size_t>   m_PairRows;
-  std::vector<VertexId>      m_Smaller;
-  std::vector<std::size_t>   m_QuadrupleRows;
-  std::vector<std::uint64_t> m_Others;
-  /** A bit for the hash of each quadruple: most of those that are asked for are not there, and stop here. */
-  std::vector<std::uint64_t> m_Filter;
-  /** Words of the filter a vertex, in units of 2^-32. */
-  std::uint64_t m_FilterWordsPerVertex = 0;
+  /** Compressed rows: the row of a vertex holds the pairs of which it is the larger, by the other, ascending. */
+  std::vector<std::size_t> m_PairRows;
+  std::vector<VertexId>    m_Smaller;
+  QuadrupleSet             m_Quadruples;
+  JunctionVotes            m_Votes;
 };
 
 /** Jaccard indices of the complex and an image (paper, section 4.1). */

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_TissueSurface_h
 #define TissueTessellationCore_TissueSurface_h
 
+#include "TissueTessellationCore/MetricSmoothing.h"
 #include "TissueTessellationCore/TissueMask.h"
 
 #include <vector>
@@ -36,6 +37,10 @@ public:
 
   TissueMask
   MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor = ParallelFor()) const;
+
+  /** The points next to each point in the cleaned complex. */
+  CellNeighbors
+  FindNeighbors() const;
 
   /** The local spacing about each point (LocalSpacing.h). */
   double

@@ -34,7 +34,8 @@ struct AnnealingParameters
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 1000;
   /** Whether the cycles are followed by annealing where the complex is wrong and by the relocation of vertices, twice,
-   * which the paper has not; where there is a reference and legality is combinatorial. */
+   * which the paper has not; where there is a reference and legality is combinatorial. With votes it is annealed once,
+   * by a schedule of their own, and no vertex is moved. */
   bool                       isFocused = false;
   FocusedAnnealingParameters focus;
   VertexRelocationParameters relocation;
