@@ -24,6 +24,7 @@
 #include "TissueTessellationCore/WallProjection.h"
 #include "TissueTessellationCore/WallRemeshing.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace tissue
@@ -37,8 +38,11 @@ constexpr double SizeExponent = 0.25;
 constexpr double StarShare = 0.1;
 constexpr int    StarRounds = 8;
 /** Rounds after the first, second and third remeshing. */
-constexpr int             RoundsPerMeshing[] = { 4, 2, 4 };
-constexpr int             LastVolumeSteps = 6;
+constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
+/** At most; cells that the guard holds back get there by small steps. */
+constexpr int LastVolumeSteps = 10;
+/** Of the volumes, relative: nothing is left to do. */
+constexpr double          VolumeTolerance = 1e-9;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
@@ -128,7 +132,7 @@ public:
         Report(m_Progress, StarShare + (1.0 - StarShare) * done / all);
       }
     }
-    for (int step = 0; step < LastVolumeSteps; ++step)
+    for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
       this->VolumeStep(mesh);
     }
@@ -205,6 +209,20 @@ private:
     const std::vector<Point> before = mesh.points;
     FitVolumes(mesh, m_Volumes, VolumeShare);
     StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+  }
+
+  bool
+  HasItsVolumes(const WallMesh & mesh) const
+  {
+    const std::vector<double> volumes = ComputeVolumes(mesh, m_Volumes.size());
+    for (std::size_t v = 0; v < volumes.size(); ++v)
+    {
+      if (std::abs(volumes[v] - m_Volumes[v]) > VolumeTolerance * m_Volumes[v])
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   std::vector<double>
