@@ -11,10 +11,9 @@
 #include "TissueTessellationCore/WallPieces.h"
 #include "TissueTessellationCore/WallRemeshing.h"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace tissue
 {

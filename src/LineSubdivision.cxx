@@ -7,10 +7,10 @@
 #include "TissueTessellationCore/LineSubdivision.h"
 
 #include "TissueTessellationCore/LineCoarsening.h"
+#include "TissueTessellationCore/PointNumbering.h"
 #include "TissueTessellationCore/WallLines.h"
 #include "TissueTessellationCore/Vector.h"
 #include "TissueTessellationCore/WallEdgeLengths.h"
-#include "TissueTessellationCore/PointNumbering.h"
 
 #include <algorithm>
 #include <cmath>
