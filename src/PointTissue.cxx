@@ -58,6 +58,16 @@ UncertaintyOf(double relaxation)
   return uncertaintyOfExactPoints + growth * relaxation;
 }
 
+/** Likewise, of the shapes. Points displaced by a tenth of the cells' diameter still show how neighbours are drawn out
+ * alike; those displaced by a fifth may as well show what is not there. */
+double
+ShapeDoubtOf(double shift)
+{
+  constexpr double shiftOfSureShapes = 0.175;
+  constexpr double growth = 25.0;
+  return std::clamp(growth * (shift - shiftOfSureShapes), 0.0, 1.0);
+}
+
 std::string
 ToText(const Point & p)
 {
@@ -239,7 +249,8 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
     surface.Follow(fit.GetSeeds());
     samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
   }
-  const double relaxation = RelaxationOf(MedianShift(fit, points, surface));
+  const double shift = MedianShift(fit, points, surface);
+  const double relaxation = RelaxationOf(shift);
   for (int i = 0; i < LastSweeps; ++i)
   {
     sweep(relaxation);
@@ -251,6 +262,7 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
     samples,
     fitGrid,
     UncertaintyOf(relaxation),
+    ShapeDoubtOf(shift),
     parallelFor,
     [&](double fraction) { return !progress || progress((sweeps + fraction * SweepsOfVotes) / numberOfSteps); });
   if (fitGrid.NumberOfPoints() < grid.NumberOfPoints())

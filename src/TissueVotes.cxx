@@ -31,8 +31,9 @@ Deviate(Random & random)
   return std::sqrt(12.0) * (random.Uniform() - 0.5);
 }
 
+/** A seed a little off, its metric drawn to that of a ball by a share of the way. */
 MetricSeed
-Disturbed(MetricSeed seed, double spacing, double uncertainty, Random & random)
+Disturbed(MetricSeed seed, double spacing, double uncertainty, double roundness, Random & random)
 {
   for (double & coordinate : seed.position)
   {
@@ -41,7 +42,7 @@ Disturbed(MetricSeed seed, double spacing, double uncertainty, Random & random)
   Metric log = MapEigenvalues(seed.metric, [](double value) { return std::log(value); });
   for (double & entry : log)
   {
-    entry += MetricUncertainty * uncertainty * Deviate(random);
+    entry = (1.0 - roundness) * entry + MetricUncertainty * uncertainty * Deviate(random);
   }
   const double size = SizeUncertainty * uncertainty * Deviate(random);
   for (const int diagonal : { 0, 3, 5 })
@@ -112,7 +113,7 @@ CountVotes(std::vector<VertexQuadruple> all)
 
 std::vector<JunctionVote>
 VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double> & spacings,
-                const TissueSamples & samples, const TissueGrid & grid, double uncertainty,
+                const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
                 const ParallelFor & parallelFor, const ProgressFunction & progress)
 {
   std::vector<std::size_t> offsets;
@@ -127,10 +128,11 @@ VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double>
   {
     RunFor(parallelFor, VotesAtATime, [&](std::size_t i) {
       Random                  random(done + i);
+      const double            roundness = shapeDoubt * static_cast<double>(done + i) / (NumberOfVotes - 1);
       std::vector<MetricSeed> disturbed;
       for (std::size_t k = 0; k < seeds.size(); ++k)
       {
-        disturbed.push_back(Disturbed(seeds[k], spacings[k], uncertainty, random));
+        disturbed.push_back(Disturbed(seeds[k], spacings[k], uncertainty, roundness, random));
       }
       const auto         cells = AssignSamples(AnisotropicTessellation(std::move(disturbed)), samples);
       std::vector<Label> labels(grid.NumberOfPoints(), 0);

@@ -36,10 +36,12 @@ EightCells(double turn)
 }
 
 std::vector<JunctionVote>
-Vote(const std::vector<MetricSeed> & seeds, double uncertainty, const ParallelFor & parallelFor = ParallelFor())
+Vote(const std::vector<MetricSeed> & seeds, double uncertainty, const ParallelFor & parallelFor = ParallelFor(),
+     double shapeDoubt = 0.0)
 {
   const TissueSamples samples = SampleMask({ Grid, std::vector<std::uint8_t>(Grid.NumberOfPoints(), 1) });
-  return VoteOnJunctions(seeds, std::vector<double>(seeds.size(), 1.0), samples, Grid, uncertainty, parallelFor);
+  return VoteOnJunctions(
+    seeds, std::vector<double>(seeds.size(), 1.0), samples, Grid, uncertainty, shapeDoubt, parallelFor);
 }
 
 double
@@ -73,6 +75,36 @@ TEST(TissueVotes, TellWhatHangsByAThreadFromWhatDoesNot)
   EXPECT_GT(std::max(ShareOf(turned, { { 0, 1, 2, 5 } }), ShareOf(turned, { { 0, 1, 2, 6 } })), 0.9);
 }
 
+TEST(TissueVotes, DoubtOfShapesMakesSomeCellsRounder)
+{
+  auto         seeds = EightCells(0.4);
+  const double least = 0.5 / 32.0;
+  for (const JunctionVote & vote : Vote(seeds, 0.0, ParallelFor(), 1.0))
+  {
+    EXPECT_DOUBLE_EQ(vote.share, 1.0) << "balls are no rounder";
+  }
+  // Most cells are flat along x + y: the last of the tessellations are of balls.
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    seeds[i].metric =
+      i % 3 == 0 ? Metric{ { 1.0, 0.0, 0.0, 1.0, 0.0, 1.0 } } : Metric{ { 1.5, 0.5, 0.0, 1.5, 0.0, 0.5 } };
+  }
+  const auto sure = Vote(seeds, 0.0);
+  const auto balls = Vote(EightCells(0.4), 0.0);
+  const auto doubted = Vote(seeds, 0.0, ParallelFor(), 1.0);
+  for (const JunctionVote & vote : sure)
+  {
+    EXPECT_DOUBLE_EQ(vote.share, 1.0);
+    EXPECT_GE(ShareOf(doubted, vote.cells), least) << "the first has them as they are";
+  }
+  for (const JunctionVote & vote : balls)
+  {
+    EXPECT_GE(ShareOf(doubted, vote.cells), least) << "the last has none";
+  }
+  EXPECT_TRUE(
+    std::any_of(doubted.begin(), doubted.end(), [&](const JunctionVote & v) { return v.share < 1.0 - least; }));
+}
+
 TEST(TissueVotes, AreTheSameInAnyOrder)
 {
   const auto backwards = [](std::size_t count, const std::function<void(std::size_t)> & body) {
@@ -95,8 +127,13 @@ TEST(TissueVotes, AreTheSameInAnyOrder)
 TEST(TissueVotes, CanBeAborted)
 {
   const TissueSamples samples = SampleMask({ Grid, std::vector<std::uint8_t>(Grid.NumberOfPoints(), 1) });
-  EXPECT_THROW(
-    VoteOnJunctions(
-      EightCells(0.0), std::vector<double>(8, 1.0), samples, Grid, 0.03, ParallelFor(), [](double) { return false; }),
-    Aborted);
+  EXPECT_THROW(VoteOnJunctions(EightCells(0.0),
+                               std::vector<double>(8, 1.0),
+                               samples,
+                               Grid,
+                               0.03,
+                               0.0,
+                               ParallelFor(),
+                               [](double) { return false; }),
+               Aborted);
 }

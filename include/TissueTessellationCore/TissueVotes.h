@@ -27,10 +27,12 @@ namespace tissue
  * \param samples points of `grid` in the tissue.
  * \param uncertainty standard deviation of a seed's place along each axis, in units of the spacing; that of the
  * entries of its metric's logarithm is 2.4 times as much, and of its size 3 times.
+ * \param shapeDoubt how much of the way from their metrics to those of balls the seeds are for the last of the
+ * tessellations, from the first one's 0 evenly on; 0 .. 1.
  * \return vertex i + 1 for the cell of seed i, ascending. The same for any number of threads. */
 std::vector<JunctionVote>
 VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double> & spacings,
-                const TissueSamples & samples, const TissueGrid & grid, double uncertainty,
+                const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
                 const ParallelFor &      parallelFor = ParallelFor(),
                 const ProgressFunction & progress = ProgressFunction());
 } // namespace tissue
