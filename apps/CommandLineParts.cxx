@@ -108,7 +108,7 @@ AddEvaluationOption(CLI::App & app, TissueTessellationOptions & options)
 void
 AddMethodOptions(CLI::App & app, TissueTessellationOptions & options)
 {
-  app.add_option("--preset", options.preset, "default, or paper: the method of the paper to the letter")
+  app.add_option("--preset", options.preset, "default, or paper: the method of the paper")
     ->check(CLI::IsMember({ "default", "paper" }))
     ->capture_default_str()
     ->group("Method");
@@ -138,6 +138,14 @@ AddMethodOptions(CLI::App & app, TissueTessellationOptions & options)
   AddParameter(app, "--adjacencyWeight", p.energy.adjacencyWeight, "Weight of the image term");
   AddParameter(app, "--neighborWeight", p.energy.neighborWeight, "Weight of the prior on the numbers of neighbours");
   AddParameter(app, "--lengthWeight", p.energy.lengthWeight, "Weight of the longest edges");
+  AddParameter(app,
+               "--unitLength",
+               p.energy.unitLength,
+               "What their lengths are divided by; 0: the median distance of neighbours");
+  AddParameter(app,
+               "--delaunayWeight",
+               p.energy.delaunayWeight,
+               "Weight of the deviation from the Delaunay tetrahedralization, which the paper has not");
   AddNamedParameter(app, "--corners", p.corners, CornerNames, "Where the cells' corners come from");
   AddParameter(app, "--triangles", p.trianglesPerCell, "Wanted triangles a cell, each counted once, 40 .. 10000");
   AddParameter(app,
@@ -218,6 +226,8 @@ AddToJson(const ReconstructionParameters & p, nlohmann::ordered_json & json)
   json["adjacencyWeight"] = p.energy.adjacencyWeight;
   json["neighborWeight"] = p.energy.neighborWeight;
   json["lengthWeight"] = p.energy.lengthWeight;
+  json["unitLength"] = p.energy.unitLength;
+  json["delaunayWeight"] = p.energy.delaunayWeight;
   json["corners"] = NameOf(CornerNames, p.corners);
   json["triangles"] = p.trianglesPerCell;
   json["refinement"] = p.refinement;
@@ -225,7 +235,6 @@ AddToJson(const ReconstructionParameters & p, nlohmann::ordered_json & json)
   json["seed"] = p.annealing.seed;
   json["fixed"] = { { "pairWeight", p.energy.pairWeight },
                     { "leastVote", p.energy.leastVote },
-                    { "unitLength", p.energy.unitLength },
                     { "epidermalNeighbors", p.energy.epidermalNeighbors },
                     { "innerNeighbors", p.energy.innerNeighbors },
                     { "focusedAnnealing", p.annealing.isFocused && p.annealing.legality == Legality::Combinatorial },

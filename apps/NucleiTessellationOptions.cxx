@@ -57,6 +57,10 @@ ParseNucleiCommandLine(int argc, char ** argv)
                 "NucleiTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
   const bool hasMembranes = HasOption("--membrane", argc, argv);
+  if (!hasMembranes)
+  {
+    options.parameters = ReconstructionParameters::PointsPreset();
+  }
   ApplyPreset(argc,
               argv,
               hasMembranes ? ReconstructionParameters::PaperPreset() : ReconstructionParameters::PaperPointsPreset(),

@@ -6,9 +6,11 @@
  *=========================================================================*/
 #include "TissueTessellationCore/EnergyFunction.h"
 
+#include "TissueTessellationCore/LocalSpacing.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tissue
 {
@@ -19,6 +21,18 @@ EnergyFunction::EnergyFunction(const AdjacencyComplex & complex, const std::vect
   , m_Reference(reference)
   , m_Parameters(parameters)
 {
+  if (m_Parameters.delaunayWeight != 0.0 || m_Parameters.unitLength == 0.0)
+  {
+    std::vector<double> spacings = LocalSpacings(complex, centers);
+    if (m_Parameters.unitLength == 0.0)
+    {
+      m_Parameters.unitLength = MedianSpacing(spacings);
+    }
+    if (m_Parameters.delaunayWeight != 0.0)
+    {
+      m_DelaunayDeviation.emplace(centers, std::move(spacings));
+    }
+  }
   this->Recompute();
 }
 
@@ -56,6 +70,7 @@ EnergyFunction::Evaluate(const Sums & sums) const
   }
   const auto cells = static_cast<double>(m_Complex.NumberOfVertices() - 1);
   return -image + m_Parameters.neighborWeight * sums.prior / cells +
+         m_Parameters.delaunayWeight * sums.deviation / cells +
          m_Parameters.lengthWeight * sums.length / (static_cast<double>(sums.tetrahedra) * m_Parameters.unitLength);
 }
 
@@ -122,6 +137,10 @@ EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums 
   if (m_Parameters.lengthWeight != 0.0)
   {
     sums.length += sign * LongestEdge(vertices);
+  }
+  if (m_DelaunayDeviation)
+  {
+    sums.deviation += sign * m_DelaunayDeviation->Of(vertices);
   }
 }
 

@@ -77,4 +77,13 @@ LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & cente
   }
   return spacings;
 }
+
+double
+MedianSpacing(std::vector<double> spacings)
+{
+  const auto first = spacings.begin() + ExteriorVertex + 1;
+  const auto middle = first + (spacings.end() - first) / 2;
+  std::nth_element(first, middle, spacings.end());
+  return *middle;
+}
 } // namespace tissue

@@ -39,6 +39,15 @@ ReconstructionParameters::ReconstructionParameters()
 }
 
 ReconstructionParameters
+ReconstructionParameters::PointsPreset()
+{
+  ReconstructionParameters parameters;
+  parameters.energy.neighborWeight = 0.02;
+  parameters.energy.delaunayWeight = 30.0;
+  return parameters;
+}
+
+ReconstructionParameters
 ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
@@ -58,6 +67,10 @@ ReconstructionParameters::PaperPointsPreset()
 {
   ReconstructionParameters parameters = PaperPreset();
   parameters.energy.adjacencyWeight = 0.0;
+  parameters.energy.unitLength = 0.0;
+  parameters.energy.lengthWeight = 15.0;
+  parameters.energy.delaunayWeight = 300.0;
+  parameters.annealing.initialTemperature = 0.03;
   parameters.localMaximumEdgeLength = true;
   parameters.maximumEdgeLengthFactor = 1.5;
   parameters.corners = CornerRule::LiftedCircumcenter;
@@ -73,7 +86,8 @@ ReconstructionParameters::Check() const
   CheckRange("adjacencyWeight", energy.adjacencyWeight, 0.0, large);
   CheckRange("neighborWeight", energy.neighborWeight, 0.0, large);
   CheckRange("lengthWeight", energy.lengthWeight, 0.0, large);
-  CheckRange("unitLength", energy.unitLength, 1e-12, 1e12);
+  CheckRange("unitLength", energy.unitLength, 0.0, 1e12);
+  CheckRange("delaunayWeight", energy.delaunayWeight, 0.0, large);
   CheckRange("epidermalNeighbors", energy.epidermalNeighbors, 1.0, 100.0);
   CheckRange("innerNeighbors", energy.innerNeighbors, 1.0, 100.0);
   CheckRange("numberOfCycles", annealing.numberOfCycles, 0.0, 1000.0);

@@ -129,20 +129,6 @@ MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & para
   return cleanUp;
 }
 
-/** Of the vertices but the exterior; 1 where lengths are not local. */
-double
-MedianLocalLength(const SurfaceCleanUpParameters & cleanUp)
-{
-  std::vector<double> lengths = cleanUp.localLengths;
-  if (lengths.empty())
-  {
-    return 1.0;
-  }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
-
 /** The complex through its stages, which `result` learns of. Works on vertices in spatial order: on large tissues much
  * of the time would go to fetching what lies far apart. */
 AdjacencyComplex
@@ -178,7 +164,8 @@ ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, con
   Report(progress, DelaunayShare);
 
   const SurfaceCleanUpParameters cleanUp = MakeCleanUp(junctions, parameters, complex, centers);
-  result.maximumEdgeLength = cleanUp.maximumEdgeLength * MedianLocalLength(cleanUp);
+  result.maximumEdgeLength =
+    cleanUp.maximumEdgeLength * (cleanUp.localLengths.empty() ? 1.0 : MedianSpacing(cleanUp.localLengths));
   result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
   result.cleaned = finishStage(complex);
 

@@ -82,10 +82,13 @@ TopologyOptimizer::OneElement() const
   // With votes one tetrahedron for another changes the energy by so much of one that all votes are for.
   constexpr double                 changeOfVotes = 0.2;
   const ReferenceAdjacency * const reference = m_State.energy.GetReference();
-  return reference ? (reference->HasVotes() ? changeOfVotes : 1.0) * m_EnergyParameters.adjacencyWeight /
-                       std::max<double>(1.0, reference->NumberOfQuadruples())
-                   : (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
-                       static_cast<double>(m_State.complex.NumberOfVertices());
+  if (!reference || m_EnergyParameters.adjacencyWeight == 0.0)
+  {
+    return (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
+           static_cast<double>(m_State.complex.NumberOfVertices());
+  }
+  return (reference->HasVotes() ? changeOfVotes : 1.0) * m_EnergyParameters.adjacencyWeight /
+         std::max<double>(1.0, reference->NumberOfQuadruples());
 }
 
 std::vector<AnnealingCycle>

@@ -8,6 +8,7 @@
 #include "TestComplexes.h"
 
 #include "TissueTessellationCore/EnergyFunction.h"
+#include "TissueTessellationCore/LocalSpacing.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,7 @@ TEST(EnergyFunction, DefaultWeightsAreThoseOfThePaper)
   EXPECT_EQ(parameters.neighborWeight, 0.05);
   EXPECT_EQ(parameters.lengthWeight, 0.5);
   EXPECT_EQ(parameters.unitLength, 1.0);
+  EXPECT_EQ(parameters.delaunayWeight, 0.0);
 }
 
 TEST(EnergyFunction, ImageTermIsTheJaccardIndex)
@@ -95,6 +97,26 @@ TEST(EnergyFunction, LengthTermByHand)
   EnergyParameters parameters = Weights(0.0, 0.0, 0.5);
   parameters.unitLength = 3.0;
   EXPECT_NEAR(EnergyFunction(complex, centers, nullptr, parameters).Total(), expected / 3.0, 1e-12);
+  parameters.unitLength = 0.0;
+  EXPECT_NEAR(EnergyFunction(complex, centers, nullptr, parameters).Total(),
+              expected / MedianSpacing(LocalSpacings(complex, centers)),
+              1e-12);
+}
+
+TEST(EnergyFunction, DeviationFromDelaunayIsItsSumACell)
+{
+  const auto              centers = RandomCenters(40, 7);
+  const AdjacencyComplex  complex = DelaunayComplex(centers);
+  const DelaunayDeviation deviation(centers, LocalSpacings(complex, centers));
+  double                  sum = 0.0;
+  for (const VertexQuadruple & t : complex.GetTetrahedra())
+  {
+    sum += deviation.Of(t);
+  }
+  EnergyParameters parameters = Weights(0.0, 0.0, 0.0);
+  parameters.delaunayWeight = 30.0;
+  EXPECT_NE(sum, 0.0);
+  EXPECT_NEAR(EnergyFunction(complex, centers, nullptr, parameters).Total(), 30.0 * sum / 40.0, 1e-12);
 }
 
 TEST(EnergyFunction, TermsAddUp)
@@ -114,7 +136,7 @@ TEST(EnergyFunction, TermsAddUp)
 
 TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
 {
-  for (const int kind : { 0, 1, 2 })
+  for (const int kind : { 0, 1, 2, 3 })
   {
     const bool       withReference = kind > 0;
     const auto       centers = RandomCenters(25, 2);
@@ -122,17 +144,18 @@ TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
     JunctionSet      junctions = JunctionsOf(complex, centers);
     for (const Junction & junction : junctions.junctions)
     {
-      if (kind == 2)
+      if (kind >= 2)
       {
         junctions.votes.push_back({ junction.cells, 1.0 / static_cast<double>(junctions.votes.size() % 7 + 1) });
       }
     }
     const ReferenceAdjacency reference(junctions);
     const LocalOperations    operations(complex, centers, Legality::Combinatorial);
-    const EnergyParameters   parameters;
-    EnergyFunction           energy(complex, centers, withReference ? &reference : nullptr, parameters);
-    Random                   random(2);
-    double                   largest = 0.0;
+    EnergyParameters         parameters;
+    parameters.delaunayWeight = kind == 3 ? 1.0 : 0.0;
+    EnergyFunction energy(complex, centers, withReference ? &reference : nullptr, parameters);
+    Random         random(2);
+    double         largest = 0.0;
     for (int done = 0; done < 3000;)
     {
       const Proposal move = RandomMove(complex, operations, random);
@@ -145,7 +168,9 @@ TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
       EXPECT_EQ(energy.Total(), before) << "a difference changes nothing";
       energy.Update(move.replacement);
       const Replacement inverse = complex.Apply(move.replacement);
-      const double fresh = EnergyFunction(complex, centers, withReference ? &reference : nullptr, parameters).Total();
+      EnergyFunction    recomputed = energy;
+      recomputed.Recompute();
+      const double fresh = recomputed.Total();
       ASSERT_NEAR(energy.Total(), fresh, 1e-9) << "after move " << done;
       ASSERT_NEAR(difference, fresh - before, 1e-9) << "move " << done;
       ASSERT_NEAR(energy.Difference(inverse), -difference, 1e-9) << "back from move " << done;

@@ -61,3 +61,8 @@ TEST(LocalSpacing, IsOfAllOthersWhereThereAreFewer)
   const auto spacings = LocalSpacings(DelaunayComplex(RegularTetrahedron()), RegularTetrahedron());
   EXPECT_NEAR(spacings[2], 2.0 * std::sqrt(2.0), 1e-12);
 }
+
+TEST(LocalSpacing, MedianLeavesOutTheExterior)
+{
+  EXPECT_EQ(MedianSpacing({ 0.0, 5.0, 1.0, 3.0 }), 3.0);
+}

@@ -104,19 +104,6 @@ TEST_F(NucleiTessellationApp, JudgesCellsByTheirPlacesOrByTheirLabels)
   this->ExpectRefusal("points.csv walls.vtp --evaluateByLabel", { "--evaluateAgainst" });
 }
 
-TEST_F(NucleiTessellationApp, PaperPresetMakesTheComplexMoreRegular)
-{
-  // Table 2 of the paper.
-  const auto report =
-    this->RunAndReport("--centersOf tissue.mha walls.vtp --preset paper --evaluateAgainst tissue.mha");
-  const auto & stages = report["stages"];
-  EXPECT_LE(stages["optimized"]["neighborhoodError"], 0.07);
-  EXPECT_LT(stages["optimized"]["neighborhoodError"], stages["cleaned"]["neighborhoodError"]);
-  EXPECT_LT(stages["optimized"]["eccentricity"], stages["delaunay"]["eccentricity"]);
-  EXPECT_EQ(stages["optimized"]["invertedTetrahedra"], 0);
-  EXPECT_EQ(report["options"]["corners"], "lifted");
-}
-
 TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
 {
   const auto  alone = this->RunAndReport("points.csv walls.vtp --preset paper");

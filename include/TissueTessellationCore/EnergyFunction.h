@@ -7,9 +7,10 @@
 #ifndef TissueTessellationCore_EnergyFunction_h
 #define TissueTessellationCore_EnergyFunction_h
 
-#include "TissueTessellationCore/AdjacencyComplex.h"
+#include "TissueTessellationCore/DelaunayDeviation.h"
 #include "TissueTessellationCore/ReferenceAdjacency.h"
 
+#include <optional>
 #include <vector>
 
 namespace tissue
@@ -27,8 +28,11 @@ struct EnergyParameters
   double neighborWeight = 0.05;
   /** Of the longest edges, equation 4. */
   double lengthWeight = 0.5;
-  /** What lengths are divided by; 1 leaves them in the image's units, as in the paper. */
+  /** What lengths are divided by; 1 leaves them in the image's units, as in the paper, 0 takes the median local spacing
+   * (LocalSpacing.h) of the complex at the start. */
   double unitLength = 1.0;
+  /** Of the deviation from the Delaunay tetrahedralization (DelaunayDeviation.h), which the paper has not. */
+  double delaunayWeight = 0.0;
   /** Ideal numbers of neighbouring cells of an epidermal and of an inner cell. */
   double epidermalNeighbors = 9.0;
   double innerNeighbors = 13.0;
@@ -37,7 +41,7 @@ struct EnergyParameters
 /** \brief The energy of a complex (paper, equations 1 to 4), kept up to date with it.
  *
  * E = - w_adjacency |T & S| / |T | S| - w_pair |E_T & E_S| / |E_T | E_S| + w_neighbor mean over cells of (n - N)^2
- *     + w_length mean over tetrahedra of the longest edge,
+ *     + w_length mean over tetrahedra of the longest edge + w_Delaunay sum of deviations a cell,
  * where a cell's ideal number N is epidermalNeighbors + 1 where it touches the exterior, which is counted in n. A
  * tetrahedron with the exterior, which has no position, has the longest edge of its triangle of cells.
  *
@@ -99,6 +103,7 @@ private:
     std::int64_t edges = 0;
     double       prior = 0.0;
     double       length = 0.0;
+    double       deviation = 0.0;
     double       votes = 0.0;
   };
 
@@ -128,7 +133,9 @@ private:
   const std::vector<Point> & m_Centers;
   const ReferenceAdjacency * m_Reference;
   EnergyParameters           m_Parameters;
-  Sums                       m_Sums;
+  /** Where it has a weight. */
+  std::optional<DelaunayDeviation> m_DelaunayDeviation;
+  Sums                             m_Sums;
 };
 } // namespace tissue
 

@@ -53,12 +53,19 @@ struct ReconstructionParameters
 
   ReconstructionParameters();
 
+  /** The preset for junctions with votes, which are an estimate from points (PointTissue.h): where the votes leave it
+   * open, as they do the more the less exact the points are, numbers of neighbours and nearness to Delaunay decide. */
+  static ReconstructionParameters
+  PointsPreset();
+
   /** Sections 3 and 4 of the paper: one complex, clean-up by length alone, geometric legality, projected Delaunay
    * rings, the energy of three terms at the paper's weights, corners from the cell centres. */
   static ReconstructionParameters
   PaperPreset();
 
-  /** The same for points alone (section 4.3), with l_max by the local spacing and the surface where it is. */
+  /** The same for points alone (section 4.3), with l_max by the local spacing and the surface where it is. Lengths are
+   * in units of the local spacing, and a weight on the deviation from Delaunay is added to the energy: by the terms of
+   * the paper alone the complex becomes more regular than the tissue and loses adjacencies (the paper's Table 2). */
   static ReconstructionParameters
   PaperPointsPreset();
 

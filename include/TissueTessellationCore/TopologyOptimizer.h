@@ -24,8 +24,8 @@ enum class RingRule
 struct AnnealingParameters
 {
   int numberOfCycles = 5;
-  /** Temperature of the first cycle, in units of what one element more or less changes: with a reference, the energy of
-   * one quadruple. Above 0. */
+  /** Temperature of the first cycle, in units of what one element more or less changes: the energy of one quadruple
+   * of the reference, or, where none counts, that of a neighbour and of a unit of length of one cell. Above 0. */
   double initialTemperature = 0.3;
   /** Factor of the temperature from a cycle to the next; in (0, 1]. */
   double   coolingFactor = 0.5;
