@@ -108,7 +108,9 @@ AddEvaluationOption(CLI::App & app, TissueTessellationOptions & options)
 void
 AddMethodOptions(CLI::App & app, TissueTessellationOptions & options)
 {
-  app.add_option("--preset", options.preset, "default, or paper: the method of the paper")
+  app
+    .add_option(
+      "--preset", options.preset, "default, or paper: the method of the paper, for points with --delaunayWeight")
     ->check(CLI::IsMember({ "default", "paper" }))
     ->capture_default_str()
     ->group("Method");
@@ -132,8 +134,10 @@ AddMethodOptions(CLI::App & app, TissueTessellationOptions & options)
   AddNamedParameter(app, "--rings", p.annealing.ringRule, RingNames, "Triangulation of the rings of removed edges");
   AddParameter(app, "--maximumDegree", p.annealing.maximumDegree, "Largest degree of an edge that is removed");
   AddParameter(app, "--numberOfCycles", p.annealing.numberOfCycles, "Temperature cycles");
-  AddParameter(
-    app, "--initialTemperature", p.annealing.initialTemperature, "Of the first cycle, in energies of one quadruple");
+  AddParameter(app,
+               "--initialTemperature",
+               p.annealing.initialTemperature,
+               "Of the first cycle, in energies of one quadruple or cell");
   AddParameter(app, "--coolingFactor", p.annealing.coolingFactor, "Of the temperature, from cycle to cycle");
   AddParameter(app, "--adjacencyWeight", p.energy.adjacencyWeight, "Weight of the image term");
   AddParameter(app, "--neighborWeight", p.energy.neighborWeight, "Weight of the prior on the numbers of neighbours");
@@ -141,7 +145,7 @@ AddMethodOptions(CLI::App & app, TissueTessellationOptions & options)
   AddParameter(app,
                "--unitLength",
                p.energy.unitLength,
-               "What their lengths are divided by; 0: the median distance of neighbours");
+               "What their lengths are divided by; 0: the median local spacing of the centres");
   AddParameter(app,
                "--delaunayWeight",
                p.energy.delaunayWeight,

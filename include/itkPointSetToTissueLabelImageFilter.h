@@ -78,7 +78,7 @@ public:
 
 #ifndef ITK_WRAPPING_PARSER
   /** How sure it is which cells meet, by vertices that are labels: for the JunctionSet of the output, whose adjacencies
-   * are then optimized by it. After the update; for C++. */
+   * are then optimized by it, best with tissue::ReconstructionParameters::PointsPreset(). After the update; for C++. */
   const std::vector<tissue::JunctionVote> &
   GetVotes() const
   {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tissue
 {
@@ -70,7 +71,7 @@ EnergyFunction::Evaluate(const Sums & sums) const
   }
   const auto cells = static_cast<double>(m_Complex.NumberOfVertices() - 1);
   return -image + m_Parameters.neighborWeight * sums.prior / cells +
-         m_Parameters.delaunayWeight * sums.deviation / cells +
+         m_Parameters.delaunayWeight * sums.delaunayDeviation / cells +
          m_Parameters.lengthWeight * sums.length / (static_cast<double>(sums.tetrahedra) * m_Parameters.unitLength);
 }
 
@@ -140,7 +141,7 @@ EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums 
   }
   if (m_DelaunayDeviation)
   {
-    sums.deviation += sign * m_DelaunayDeviation->Of(vertices);
+    sums.delaunayDeviation += sign * m_DelaunayDeviation->Of(vertices);
   }
 }
 

@@ -55,7 +55,7 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
       best = state.complex;
       bestEnergy = state.energy.Total();
     }
-    else if (parameters.returnsFromMelting && state.energy.Total() > MeltedShare * bestEnergy)
+    else if (parameters.returnsFromMelting && bestEnergy < 0.0 && state.energy.Total() > MeltedShare * bestEnergy)
     {
       state.complex = best;
       state.energy.Recompute();

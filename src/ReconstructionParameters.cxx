@@ -86,7 +86,7 @@ ReconstructionParameters::Check() const
   CheckRange("adjacencyWeight", energy.adjacencyWeight, 0.0, large);
   CheckRange("neighborWeight", energy.neighborWeight, 0.0, large);
   CheckRange("lengthWeight", energy.lengthWeight, 0.0, large);
-  CheckRange("unitLength", energy.unitLength, 0.0, 1e12);
+  CheckRange("unitLength", energy.unitLength, energy.unitLength == 0.0 ? 0.0 : 1e-12, 1e12);
   CheckRange("delaunayWeight", energy.delaunayWeight, 0.0, large);
   CheckRange("epidermalNeighbors", energy.epidermalNeighbors, 1.0, 100.0);
   CheckRange("innerNeighbors", energy.innerNeighbors, 1.0, 100.0);

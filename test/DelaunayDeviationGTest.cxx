@@ -11,6 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 using namespace testing_complexes;
 
 namespace
@@ -46,6 +50,8 @@ TEST(DelaunayDeviation, ByHand)
   // Of volume 8 / 3, with six edges of squared length 8.
   EXPECT_NEAR(deviation.Of({ { 1, 2, 3, 4 } }), 8.0 / 3.0 / 8.0 * (6 * 8.0 / 20.0 / 4.0 - 0.45), 1e-12);
   EXPECT_EQ(deviation.Of({ { 0, 1, 3, 2 } }), 0.0);
+  // Inverted, and its volume covered twice by others.
+  EXPECT_NEAR(deviation.Of({ { 2, 1, 3, 4 } }), 8.0 / 3.0 / 8.0 * (6 * 8.0 / 20.0 / 4.0 + 0.45), 1e-12);
   // The mean square of these spacings is 4 too.
   const DelaunayDeviation uneven(centers, { 0.0, 1.0, 1.0, std::sqrt(7.0), std::sqrt(7.0) });
   EXPECT_NEAR(uneven.Of({ { 2, 1, 4, 3 } }), deviation.Of({ { 1, 2, 3, 4 } }), 1e-12);

@@ -136,9 +136,10 @@ TEST(EnergyFunction, TermsAddUp)
 
 TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
 {
-  for (const int kind : { 0, 1, 2, 3 })
+  // Without a reference, with one, with votes, with votes and the deviation from Delaunay, with that alone.
+  for (const int kind : { 0, 1, 2, 3, 4 })
   {
-    const bool       withReference = kind > 0;
+    const bool       withReference = kind > 0 && kind < 4;
     const auto       centers = RandomCenters(25, 2);
     AdjacencyComplex complex = DelaunayComplex(centers);
     JunctionSet      junctions = JunctionsOf(complex, centers);
@@ -152,7 +153,8 @@ TEST(EnergyFunction, DifferenceIsThatOfTheTotalRecomputedOverRandomMoves)
     const ReferenceAdjacency reference(junctions);
     const LocalOperations    operations(complex, centers, Legality::Combinatorial);
     EnergyParameters         parameters;
-    parameters.delaunayWeight = kind == 3 ? 1.0 : 0.0;
+    parameters.delaunayWeight = kind >= 3 ? 1.0 : 0.0;
+    parameters.unitLength = kind >= 3 ? 0.0 : 1.0;
     EnergyFunction energy(complex, centers, withReference ? &reference : nullptr, parameters);
     Random         random(2);
     double         largest = 0.0;

@@ -64,5 +64,5 @@ TEST(LocalSpacing, IsOfAllOthersWhereThereAreFewer)
 
 TEST(LocalSpacing, MedianLeavesOutTheExterior)
 {
-  EXPECT_EQ(MedianSpacing({ 0.0, 5.0, 1.0, 3.0 }), 3.0);
+  EXPECT_EQ(MedianSpacing({ 0.0, 7.0, 1.0, 3.0, 5.0 }), 5.0);
 }

@@ -160,6 +160,29 @@ TEST(PointTissue, VotesOnTheQuadruplesOfItsCells)
   EXPECT_LT(sure, 6u * 216u);
 }
 
+TEST(PointTissue, VotesAreMoreDividedThePoorerThePointsAre)
+{
+  const auto meanShare = [](double displacement) {
+    std::vector<Point> points = CentroidsOfCells();
+    Random             random(2);
+    for (Point & p : points)
+    {
+      for (double & value : p)
+      {
+        value = std::clamp(value + displacement * (random.Uniform() - 0.5), 0.05, 5.95);
+      }
+    }
+    const auto votes = EstimateTissue(points, MakePointGrid(points, Cube, 500)).votes;
+    double     sum = 0.0;
+    for (const JunctionVote & vote : votes)
+    {
+      sum += vote.share;
+    }
+    return sum / static_cast<double>(votes.size());
+  };
+  EXPECT_GT(meanShare(0.0), 1.1 * meanShare(0.6));
+}
+
 TEST(PointTissue, GivesPointsThatAreCloseACellEach)
 {
   std::vector<Point> points = Lattice();

@@ -79,7 +79,9 @@ TEST(TissueVotes, DoubtOfShapesMakesSomeCellsRounder)
 {
   auto         seeds = EightCells(0.4);
   const double least = 0.5 / 32.0;
-  for (const JunctionVote & vote : Vote(seeds, 0.0, ParallelFor(), 1.0))
+  const auto   round = Vote(seeds, 0.0, ParallelFor(), 1.0);
+  ASSERT_FALSE(round.empty());
+  for (const JunctionVote & vote : round)
   {
     EXPECT_DOUBLE_EQ(vote.share, 1.0) << "balls are no rounder";
   }

@@ -98,6 +98,17 @@ TEST(TopologyOptimizer, LowersEveryEnergyWithoutAReference)
   EXPECT_NEAR(after, least, 1e-9) << "the best state is kept";
 }
 
+TEST(TopologyOptimizer, AnnealsWhereTheReferenceHasNoWeight)
+{
+  Problem             problem(40, 0, 4);
+  EnergyParameters    energy;
+  AnnealingParameters annealing;
+  energy.adjacencyWeight = 0.0;
+  annealing.initialTemperature = 2.0;
+  const auto cycles = TopologyOptimizer(problem.complex, problem.centers, &problem.reference, energy, annealing).Run();
+  EXPECT_NEAR(cycles.at(0).temperature, 2.0 * (energy.neighborWeight + energy.lengthWeight) / 41.0, 1e-12);
+}
+
 TEST(TopologyOptimizer, KeepsTheStartWhereEveryCycleIsWorse)
 {
   // The truth itself cannot be improved, and this temperature destroys it.

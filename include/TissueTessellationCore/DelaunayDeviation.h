@@ -15,12 +15,13 @@ namespace tissue
 {
 /** \brief What a tetrahedron adds to the deviation of a complex from the Delaunay tetrahedralization.
  *
- * Of all tetrahedralizations of the same points, the Delaunay one interpolates the squared distance with the least
- * error, which is V sum |e|^2 / 20 over a tetrahedron of volume V and edges e (optimal Delaunay triangulations, Alliez
- * et al. 2005, doi:10.1145/1073204.1073238). Here it is in units of the local spacing s (root mean square of the four
- * vertices'), less what a regular tetrahedron of a certain size has: V (sum |e|^2 / 20 - c s^2) / s^5. Where all have
- * one spacing that adds the same to any tetrahedralization of one region; where the surface can move, tetrahedra
- * about as large as those inside are worth having, and larger ones are not.
+ * Of all tetrahedralizations of the same points, the Delaunay one interpolates the function |x|^2 with the least error,
+ * which is V sum |e|^2 / 20 over a tetrahedron of volume V and edges e (optimal Delaunay triangulations, Alliez et al.
+ * 2005, doi:10.1145/1073204.1073238). Here it is in units of the local spacing s (root mean square of the four
+ * vertices'), less a constant by the volume: (|V| sum |e|^2 / 20 - 0.45 V s^2) / s^5, V below 0 where the tetrahedron
+ * is inverted. Where all vertices have one spacing, the least error is Delaunay's, and the volumes add up to the same
+ * over any tetrahedralization of one region; where the surface can move, tetrahedra about as large as those inside are
+ * worth having, and larger ones are not.
  *
  * A tetrahedron with the exterior, which has no position, adds 0. */
 class DelaunayDeviation

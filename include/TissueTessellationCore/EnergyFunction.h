@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_EnergyFunction_h
 #define TissueTessellationCore_EnergyFunction_h
 
+#include "TissueTessellationCore/AdjacencyComplex.h"
 #include "TissueTessellationCore/DelaunayDeviation.h"
 #include "TissueTessellationCore/ReferenceAdjacency.h"
 
@@ -20,7 +21,7 @@ struct EnergyParameters
 {
   /** Of the image term, equation 2; without a reference the term is 0. */
   double adjacencyWeight = 8.0;
-  /** With votes: the share of them from which on a tetrahedron is better than none. */
+  /** With votes: the share of them from which on a tetrahedron is better than none by this term. */
   double leastVote = 0.48;
   /** Of the same term for pairs of cells that share a wall, which the paper has not. */
   double pairWeight = 0.0;
@@ -29,9 +30,10 @@ struct EnergyParameters
   /** Of the longest edges, equation 4. */
   double lengthWeight = 0.5;
   /** What lengths are divided by; 1 leaves them in the image's units, as in the paper, 0 takes the median local spacing
-   * (LocalSpacing.h) of the complex at the start. */
+   * (LocalSpacing.h) of the complex at the start; 0 or 1e-12 .. 1e12. */
   double unitLength = 1.0;
-  /** Of the deviation from the Delaunay tetrahedralization (DelaunayDeviation.h), which the paper has not. */
+  /** Of the deviation from the Delaunay tetrahedralization (DelaunayDeviation.h), by the local spacings of the
+   * complex at the start, which the paper has not. */
   double delaunayWeight = 0.0;
   /** Ideal numbers of neighbouring cells of an epidermal and of an inner cell. */
   double epidermalNeighbors = 9.0;
@@ -56,7 +58,7 @@ public:
   EnergyFunction(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
 
-  /** Takes the complex as it is, after a change that Update() was not told of. */
+  /** Takes the complex as it is, after a change that Update() was not told of. Spacings stay those at the start. */
   void
   Recompute();
 
@@ -103,7 +105,7 @@ private:
     std::int64_t edges = 0;
     double       prior = 0.0;
     double       length = 0.0;
-    double       deviation = 0.0;
+    double       delaunayDeviation = 0.0;
     double       votes = 0.0;
   };
 

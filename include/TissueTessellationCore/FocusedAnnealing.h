@@ -24,7 +24,7 @@ struct FocusedAnnealingParameters
   int proposalsPerTetrahedron = 60;
   /** Largest degree of an edge that is removed. */
   std::int32_t maximumDegree = 8;
-  /** Whether a complex that has lost a fifth of the best one's energy goes back to it; needs an energy below 0. */
+  /** Whether a complex that has lost a fifth of the best one's energy goes back to it; not where that is above 0. */
   bool returnsFromMelting = true;
 };
 

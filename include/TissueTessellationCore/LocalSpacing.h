@@ -23,8 +23,8 @@ namespace tissue
 std::vector<double>
 LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers);
 
-/** Of spacings of vertices, as LocalSpacings() returns them, the median: the exterior's does not count. There must be
- * another. */
+/** Of spacings of vertices, as LocalSpacings() returns them, the median, the upper one of an even number: the
+ * exterior's does not count. There must be another. */
 double
 MedianSpacing(std::vector<double> spacings);
 } // namespace tissue

@@ -38,7 +38,8 @@ struct PointTissue
  * that has its cells' centroids on the points.
  *
  * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
- * seeds go for it tells how exact they are, and in the last sweeps the seeds are held back accordingly.
+ * seeds go for it tells how exact they are: in the last sweeps the seeds are held back accordingly, and the votes doubt
+ * the cells' shapes.
  *
  * In a grid of more than 700 points to a cell the fit takes only so many: small walls need fine labels, the fit does
  * not.

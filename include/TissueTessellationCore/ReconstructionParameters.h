@@ -13,7 +13,7 @@
 namespace tissue
 {
 /** \brief All that can be chosen between a JunctionSet and its wall mesh. A default-constructed object is the preset
- * for label images, PaperPreset() the paper's method to the letter. */
+ * for label images, PaperPreset() the paper's method to the letter; there is one of either kind for points. */
 struct ReconstructionParameters
 {
   /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
@@ -63,9 +63,10 @@ struct ReconstructionParameters
   static ReconstructionParameters
   PaperPreset();
 
-  /** The same for points alone (section 4.3), with l_max by the local spacing and the surface where it is. Lengths are
-   * in units of the local spacing, and a weight on the deviation from Delaunay is added to the energy: by the terms of
-   * the paper alone the complex becomes more regular than the tissue and loses adjacencies (the paper's Table 2). */
+  /** The same for points alone (section 4.3), without the image term, with l_max by the local spacing and the surface
+   * where it is. By the paper's terms alone the complex becomes more regular than the tissue and loses adjacencies (its
+   * Table 2): a weight on the deviation from Delaunay is added to the energy, lengths are in units of the local
+   * spacing, at a weight (15) that keeps them in balance with it, and the first temperature is a tenth. */
   static ReconstructionParameters
   PaperPointsPreset();
 

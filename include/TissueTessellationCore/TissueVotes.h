@@ -22,7 +22,7 @@ namespace tissue
  * at a point do so every time where much would have to change for others to meet there in their place, and seldom where
  * it hangs by a thread.
  *
- * \param seeds of the cells.
+ * \param seeds of the cells, metrics of determinant 1.
  * \param spacings local, about each seed.
  * \param samples points of `grid` in the tissue.
  * \param uncertainty standard deviation of a seed's place along each axis, in units of the spacing; that of the

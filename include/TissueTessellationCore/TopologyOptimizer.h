@@ -25,7 +25,8 @@ struct AnnealingParameters
 {
   int numberOfCycles = 5;
   /** Temperature of the first cycle, in units of what one element more or less changes: the energy of one quadruple
-   * of the reference, or, where none counts, that of a neighbour and of a unit of length of one cell. Above 0. */
+   * of the reference, or, where that has no weight, the weights of neighbours and lengths over the number of cells.
+   * Above 0; where all those weights are 0, only what lowers the energy is done. */
   double initialTemperature = 0.3;
   /** Factor of the temperature from a cycle to the next; in (0, 1]. */
   double   coolingFactor = 0.5;
