@@ -107,9 +107,16 @@ Run(const Options & options)
   if (table.points.empty())
   {
     std::ostringstream message;
-    message << options.image << ": no nuclei of scales from " << detection->GetUsedMinimumScale() << " to "
-            << detection->GetUsedMaximumScale() << " with a response of " << detection->GetUsedThreshold()
-            << " or more";
+    message << options.image << ": no nuclei";
+    if (detection->GetUsedMaximumScale() > 0.0)
+    {
+      message << " of scales from " << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale()
+              << " with a response of " << detection->GetUsedThreshold() << " or more";
+    }
+    else
+    {
+      message << ", nor any blob that tells their scales";
+    }
     warnings.push_back(message.str());
   }
   for (const std::string & warning : warnings)

@@ -108,6 +108,10 @@ private:
   std::vector<tissue::Point>
   MakePoints() const;
 
+  /** Names the first that is, in physical coordinates. */
+  void
+  RefusePointsOutside(const std::vector<tissue::Point> & points, const tissue::Box & box) const;
+
   tissue::TissueGrid                m_Grid;
   std::vector<tissue::JunctionVote> m_Votes;
   double                            m_VoxelsPerCell{ 4000.0 };

@@ -9,6 +9,7 @@
 
 #include "itkPointSetToTissueLabelImageFilter.h"
 
+#include "TissueTessellationCore/BoxGrid.h"
 #include "TissueTessellationCore/PointTissue.h"
 #include "itkContinuousIndex.h"
 #include "itkCoreParallelFor.h"
@@ -70,6 +71,26 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::MakePoints() const
 
 template <typename TPointSet, typename TLabelImage>
 void
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::RefusePointsOutside(const std::vector<tissue::Point> & points,
+                                                                              const tissue::Box & box) const
+{
+  auto it = this->GetInput()->GetPoints()->Begin();
+  for (const tissue::Point & point : points)
+  {
+    if (!tissue::Overlap({ point, point }, box))
+    {
+      itkExceptionMacro(
+        "point " << it.Index() << " at " << it.Value() << " is outside of the box of the reference image, "
+                 << "which has the size " << this->GetReferenceImage()->GetLargestPossibleRegion().GetSize()
+                 << ", the spacing " << this->GetReferenceImage()->GetSpacing() << " and the origin "
+                 << this->GetReferenceImage()->GetOrigin());
+    }
+    ++it;
+  }
+}
+
+template <typename TPointSet, typename TLabelImage>
+void
 PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateOutputInformation()
 {
   if (const auto source = this->GetInput()->GetSource())
@@ -99,6 +120,7 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateOutputInformat
       box = tissue::PaddedBox(points);
     }
     m_Grid = tissue::MakePointGrid(points, box, m_VoxelsPerCell);
+    this->RefusePointsOutside(points, box);
   }
   catch (const std::invalid_argument & error)
   {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,8 @@ namespace tissue
 namespace
 {
 constexpr double LeastVoxelsPerCell = 50.0;
+/** Some gigabytes. */
+constexpr double MostVoxels = 5e8;
 /** More make the fit no better, only the labels that come of it. */
 constexpr double VoxelsPerCellOfFit = 700.0;
 /** The cube of the mean distance of the eight nearest is so many times the volume of a cell, in plant tissues. */
@@ -72,7 +75,9 @@ ShapeDoubtOf(double shift)
 std::string
 ToText(const Point & p)
 {
-  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")";
+  std::ostringstream text;
+  text << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
+  return text.str();
 }
 
 void
@@ -221,8 +226,20 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
     throw std::invalid_argument("voxelsPerCell is " + std::to_string(voxelsPerCell) + ", but must be at least " +
                                 std::to_string(LeastVoxelsPerCell));
   }
-  const double spacing = MeanSpacing(SpacingsOf(points));
-  return MakeTissueGrid(box, spacing / std::cbrt(CubedSpacingOfCell * voxelsPerCell));
+  const std::vector<double> spacings = SpacingsOf(points);
+  const double              step = MeanSpacing(spacings) / std::cbrt(CubedSpacingOfCell * voxelsPerCell);
+  const Point               extent = box.upper - box.lower;
+  const double              voxels = extent[0] / step * (extent[1] / step) * (extent[2] / step);
+  if (!(voxels <= MostVoxels))
+  {
+    const auto         farthest = std::max_element(spacings.begin() + 1, spacings.end()) - (spacings.begin() + 1);
+    std::ostringstream message;
+    message << "The box from " << ToText(box.lower) << " to " << ToText(box.upper) << " has " << voxels << " voxels at "
+            << voxelsPerCell << " a cell, must have " << MostVoxels << " at most; point " << farthest << " at "
+            << ToText(points[static_cast<std::size_t>(farthest)]) << " is the farthest from its nearest";
+    throw std::invalid_argument(message.str());
+  }
+  return MakeTissueGrid(box, step);
 }
 
 PointTissue

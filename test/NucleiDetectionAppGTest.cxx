@@ -142,6 +142,8 @@ TEST_F(NucleiDetectionApp, WarnsWhereThereAreNoNuclei)
               "NucleiDetection: warning: slope.mha: no nuclei of scales from 1 to 4 with a response of 0.5 or more\n");
     EXPECT_EQ(ReadBytes(this->PathOf("points.csv")), "x,y,z,label,scale,radius,response\n");
   }
+  ASSERT_EQ(this->Run("slope.mha points.csv"), 0);
+  EXPECT_EQ(m_Errors, "NucleiDetection: warning: slope.mha: no nuclei, nor any blob that tells their scales\n");
 }
 
 TEST_F(NucleiDetectionApp, ImagesWithoutAScaleSpaceAreRefused)

@@ -200,10 +200,11 @@ TEST(PointSetToTissueLabelImageFilter, RefusesPointsThatMakeNoTissue)
   EXPECT_NE(errorWith({}).find("3 cells, at least 4 are needed"), std::string::npos);
   EXPECT_NE(errorWith({ { { 10, 10, 5 } } }).find("coplanar"), std::string::npos);
   EXPECT_EQ(errorWith({ { { 8, 8, 10 } } }), "none");
-  EXPECT_NE(errorWith({ { { 8, 8, 10 } }, { { 30, 8, 10 } } })
-              .find("point 1 at (30.250000, 8.250000, 10.500000) is outside of the box from (0.000000, 0.000000, "
-                    "0.000000) to (20.000000, 20.000000, 18.000000)"),
-            std::string::npos);
+  EXPECT_NE(
+    errorWith({ { { 8, 8, 10 } }, { { 30, 8, 10 } } })
+      .find("point 1 at [30, 8, 10] is outside of the box of the reference image, which has the size [40, 40, 18], the "
+            "spacing [0.5, 0.5, 1] and the origin [0, 0, 0]"),
+    std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, 10 } }, { { 8, 8, 10 } } }).find("same centre"), std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, std::nan("") } } }).find("must be finite"), std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, 2e30 } } }).find("point 0 has the coordinate 2e+30, must be finite and at most"),

@@ -208,6 +208,19 @@ TEST(PointTissue, MakesAGridOfSoManyPointsACell)
     static_cast<double>(MakePointGrid(Lattice(), Cube, 8000).NumberOfPoints()) / grid.NumberOfPoints(), 8, 0.8);
   EXPECT_THROW(MakePointGrid(Lattice(), Cube, 49), std::invalid_argument);
   EXPECT_THROW(MakePointGrid(Lattice(), Cube, std::nan("")), std::invalid_argument);
+  std::vector<Point> points = Lattice();
+  points.push_back({ { 1e4, 0.0, 0.0 } });
+  try
+  {
+    MakePointGrid(points, PaddedBox(points), 1000);
+    ADD_FAILURE() << "a grid too large";
+  }
+  catch (const std::invalid_argument & error)
+  {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("voxels at 1000 a cell, must have 5e+08 at most"), std::string::npos) << what;
+    EXPECT_NE(what.find("point 216 at (10000, 0, 0) is the farthest from its nearest"), std::string::npos) << what;
+  }
   const Box padded = PaddedBox(Lattice());
   EXPECT_LT(padded.lower[0], -0.5);
   EXPECT_GT(padded.upper[2], 6.5);

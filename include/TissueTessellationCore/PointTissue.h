@@ -20,8 +20,8 @@ namespace tissue
 Box
 PaddedBox(const std::vector<Point> & points);
 
-/** The grid that fills the box with about so many points to a cell, at least 50.
- * \throws std::invalid_argument as EstimateTissue(), and for fewer. */
+/** The grid that fills the box with about so many points to a cell, at least 50, and at most 5e8 in all.
+ * \throws std::invalid_argument as EstimateTissue(), and for fewer, or for more in all. */
 TissueGrid
 MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell);
 
