@@ -8,6 +8,8 @@
 
 #include "OptionChecks.h"
 
+#include <sstream>
+
 namespace tissue
 {
 void
@@ -54,6 +56,19 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
     ->group("Detection")
     ->check(positive);
   app.add_flag("--dark", options.isDark, "Nuclei are darker than what is around them")->group("Detection");
+}
+
+std::string
+DescribeSearch(const DetectionFilter & detection, const std::string & verb)
+{
+  if (!(detection.GetUsedMaximumScale() > 0.0))
+  {
+    return ", nor any blob that tells their scales";
+  }
+  std::ostringstream text;
+  text << " of scales from " << detection.GetUsedMinimumScale() << " to " << detection.GetUsedMaximumScale() << ' '
+       << verb << " a response of " << detection.GetUsedThreshold() << " or more";
+  return text.str();
 }
 
 DetectionFilter::Pointer

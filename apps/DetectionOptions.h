@@ -13,6 +13,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace tissue
 {
 /** How nuclei are found in their image: see itk::DifferenceOfGaussiansBlobDetectionFilter. */
@@ -33,6 +35,10 @@ using DetectionFilter = itk::DifferenceOfGaussiansBlobDetectionFilter<ScalarImag
 
 void
 AddDetectionOptions(CLI::App & app, DetectionOptions & options);
+
+/** After a number of nuclei: what was looked for, `verb` being with or have. */
+std::string
+DescribeSearch(const DetectionFilter & detection, const std::string & verb);
 
 /** The filter, updated. */
 DetectionFilter::Pointer

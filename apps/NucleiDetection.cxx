@@ -20,7 +20,6 @@
 #include <array>
 #include <iostream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -106,18 +105,7 @@ Run(const Options & options)
   std::vector<std::string> warnings = file.warnings;
   if (table.points.empty())
   {
-    std::ostringstream message;
-    message << options.image << ": no nuclei";
-    if (detection->GetUsedMaximumScale() > 0.0)
-    {
-      message << " of scales from " << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale()
-              << " with a response of " << detection->GetUsedThreshold() << " or more";
-    }
-    else
-    {
-      message << ", nor any blob that tells their scales";
-    }
-    warnings.push_back(message.str());
+    warnings.push_back(options.image + ": no nuclei" + DescribeSearch(*detection, "with"));
   }
   for (const std::string & warning : warnings)
   {

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 namespace tissue
@@ -119,11 +118,8 @@ FindNuclei(const NucleiTessellationOptions & options, ProgressBar & progress, Ti
   }
   if (result.points.size() < minimum)
   {
-    std::ostringstream message;
-    message << result.points.size() << " nuclei of scales from " << detection->GetUsedMinimumScale() << " to "
-            << detection->GetUsedMaximumScale() << " have a response of " << detection->GetUsedThreshold()
-            << " or more, at least " << minimum << " are needed";
-    throw std::runtime_error(message.str());
+    throw std::runtime_error(std::to_string(result.points.size()) + " nuclei" + DescribeSearch(*detection, "have") +
+                             ", at least " + std::to_string(minimum) + " are needed");
   }
   input.segmentSeconds += timer.Lap();
   return result;

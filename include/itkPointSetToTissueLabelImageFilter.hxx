@@ -9,7 +9,7 @@
 
 #include "itkPointSetToTissueLabelImageFilter.h"
 
-#include "TissueTessellationCore/BoxGrid.h"
+#include "TissueTessellationCore/PointRange.h"
 #include "TissueTessellationCore/PointTissue.h"
 #include "itkContinuousIndex.h"
 #include "itkCoreParallelFor.h"
@@ -74,18 +74,18 @@ void
 PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::RefusePointsOutside(const std::vector<tissue::Point> & points,
                                                                               const tissue::Box & box) const
 {
-  auto it = this->GetInput()->GetPoints()->Begin();
-  for (const tissue::Point & point : points)
+  if (const auto outside = tissue::FindPointOutside(points, box))
   {
-    if (!tissue::Overlap({ point, point }, box))
+    auto it = this->GetInput()->GetPoints()->Begin();
+    for (std::size_t i = 0; i < *outside; ++i)
     {
-      itkExceptionMacro(
-        "point " << it.Index() << " at " << it.Value() << " is outside of the box of the reference image, "
-                 << "which has the size " << this->GetReferenceImage()->GetLargestPossibleRegion().GetSize()
-                 << ", the spacing " << this->GetReferenceImage()->GetSpacing() << " and the origin "
-                 << this->GetReferenceImage()->GetOrigin());
+      ++it;
     }
-    ++it;
+    const ReferenceImageType * const reference = this->GetReferenceImage();
+    itkExceptionMacro("point " << it.Index() << " at " << it.Value()
+                               << " is outside of the box of the reference image, which has the size "
+                               << reference->GetLargestPossibleRegion().GetSize() << ", the spacing "
+                               << reference->GetSpacing() << " and the origin " << reference->GetOrigin());
   }
 }
 

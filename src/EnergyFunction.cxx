@@ -54,7 +54,7 @@ EnergyFunction::Recompute()
   }
   for (VertexId v = ExteriorVertex + 1; v < m_Complex.NumberOfVertices(); ++v)
   {
-    m_Sums.prior += Deviation(m_Complex.NumberOfNeighbors(v), m_Complex.FindEdge(ExteriorVertex, v) != nullptr);
+    m_Sums.prior += NeighborDeviation(m_Complex.NumberOfNeighbors(v), m_Complex.FindEdge(ExteriorVertex, v) != nullptr);
   }
 }
 
@@ -106,7 +106,7 @@ EnergyFunction::LongestEdge(const VertexQuadruple & t) const
 }
 
 double
-EnergyFunction::Deviation(std::int32_t numberOfNeighbors, bool touchesExterior) const
+EnergyFunction::NeighborDeviation(std::int32_t numberOfNeighbors, bool touchesExterior) const
 {
   const double ideal = touchesExterior ? m_Parameters.epidermalNeighbors + 1.0 : m_Parameters.innerNeighbors;
   const double deviation = numberOfNeighbors - ideal;
@@ -204,7 +204,7 @@ EnergyFunction::SumsAfter(const Replacement & replacement) const
       const std::int32_t before = m_Complex.NumberOfNeighbors(change.vertex);
       const bool         touched = m_Complex.FindEdge(ExteriorVertex, change.vertex) != nullptr;
       const bool         touches = (touched ? 1 : 0) + change.exterior > 0;
-      sums.prior += Deviation(before + change.neighbors, touches) - Deviation(before, touched);
+      sums.prior += NeighborDeviation(before + change.neighbors, touches) - NeighborDeviation(before, touched);
     }
   }
   return sums;

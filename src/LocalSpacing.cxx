@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/LocalSpacing.h"
 
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
@@ -79,11 +80,8 @@ LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & cente
 }
 
 double
-MedianSpacing(std::vector<double> spacings)
+MedianSpacing(const std::vector<double> & spacings)
 {
-  const auto first = spacings.begin() + ExteriorVertex + 1;
-  const auto middle = first + (spacings.end() - first) / 2;
-  std::nth_element(first, middle, spacings.end());
-  return *middle;
+  return Median({ spacings.begin() + ExteriorVertex + 1, spacings.end() });
 }
 } // namespace tissue

@@ -45,4 +45,13 @@ RequirePointRange(const std::vector<Point> & points, const std::function<std::st
     throw std::invalid_argument(message.str());
   }
 }
+
+std::optional<std::size_t>
+FindPointOutside(const std::vector<Point> & points, const Box & box)
+{
+  const auto at = std::find_if_not(points.begin(), points.end(), [&box](const Point & p) {
+    return Overlap({ p, p }, box);
+  });
+  return at == points.end() ? std::nullopt : std::optional<std::size_t>(at - points.begin());
+}
 } // namespace tissue

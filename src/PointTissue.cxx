@@ -9,6 +9,7 @@
 #include "TissueTessellationCore/CentroidFit.h"
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/LocalSpacing.h"
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/PointRange.h"
 #include "TissueTessellationCore/TissueSurface.h"
 #include "TissueTessellationCore/TissueVotes.h"
@@ -19,6 +20,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tissue
 {
@@ -112,13 +114,10 @@ void
 RefusePointsOutside(const std::vector<Point> & points, const TissueGrid & grid)
 {
   const Box box = BoxOf(grid);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  if (const auto i = FindPointOutside(points, box))
   {
-    if (!Overlap({ points[i], points[i] }, box))
-    {
-      throw std::invalid_argument("point " + std::to_string(i) + " at " + ToText(points[i]) +
-                                  " is outside of the box from " + ToText(box.lower) + " to " + ToText(box.upper));
-    }
+    throw std::invalid_argument("point " + std::to_string(*i) + " at " + ToText(points[*i]) +
+                                " is outside of the box from " + ToText(box.lower) + " to " + ToText(box.upper));
   }
 }
 
@@ -167,10 +166,7 @@ MedianShift(const CentroidFit & fit, const std::vector<Point> & points, const Ti
       inner.push_back(shift);
     }
   }
-  std::vector<double> & shifts = inner.size() >= LeastInnerCells ? inner : all;
-  const auto            middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
-  std::nth_element(shifts.begin(), middle, shifts.end());
-  return *middle;
+  return Median(std::move(inner.size() >= LeastInnerCells ? inner : all));
 }
 
 /** A grid point for each point that has none: its own, unless another cell has no other. */

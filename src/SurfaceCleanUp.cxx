@@ -7,9 +7,11 @@
 #include "TissueTessellationCore/SurfaceCleanUp.h"
 
 #include "TissueTessellationCore/LocalOperations.h"
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tissue
 {
@@ -138,8 +140,6 @@ MedianNeighborDistance(const JunctionSet & junctions)
   {
     return 0.0;
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return Median(std::move(distances));
 }
 } // namespace tissue

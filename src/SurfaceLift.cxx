@@ -6,23 +6,14 @@
  *=========================================================================*/
 #include "TissueTessellationCore/SurfaceLift.h"
 
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/RelativeExterior.h"
 #include "TissueTessellationCore/Vector.h"
-
-#include <algorithm>
 
 namespace tissue
 {
 namespace
 {
-double
-Median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** The depths of the vertices at the exterior, of others 0. */
 std::vector<double>
 EstimateDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)

@@ -8,6 +8,7 @@
 
 #include "TissueTessellationCore/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/LocalSpacing.h"
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/MirroredCenters.h"
 #include "TissueTessellationCore/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Vector.h"
@@ -100,14 +101,6 @@ CollectHeights(const AdjacencyComplex & complex, const std::vector<Point> & cent
     }
   }
   return heights;
-}
-
-double
-Median(std::vector<double> & values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 } // namespace
 

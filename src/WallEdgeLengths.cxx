@@ -6,11 +6,13 @@
  *=========================================================================*/
 #include "TissueTessellationCore/WallEdgeLengths.h"
 
+#include "TissueTessellationCore/Median.h"
 #include "TissueTessellationCore/Vector.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tissue
 {
@@ -136,13 +138,12 @@ ChooseEdgeLengths(const WallMesh & mesh, double numberOfTriangles, const std::ve
 std::vector<double>
 EdgeLengthFactorsByCell(const WallMesh & mesh, const std::vector<double> & volumes, double exponent)
 {
-  std::vector<double> sorted(volumes.begin() + std::min<std::size_t>(1, volumes.size()), volumes.end());
-  if (sorted.empty())
+  std::vector<double> ofCells(volumes.begin() + std::min<std::size_t>(1, volumes.size()), volumes.end());
+  if (ofCells.empty())
   {
     return std::vector<double>(mesh.walls.size(), 1.0);
   }
-  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-  const double        median = sorted[sorted.size() / 2];
+  const double        median = Median(std::move(ofCells));
   std::vector<double> factors;
   factors.reserve(mesh.walls.size());
   for (const WallMesh::Wall & wall : mesh.walls)

@@ -169,9 +169,23 @@ ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> 
   {
     isReplaced[w] = 1;
   }
-  const std::vector<std::size_t>      firstOfMesh = FirstTrianglesOfWalls(mesh);
-  const std::vector<std::size_t>      firstOfOther = FirstTrianglesOfWalls(other);
-  std::vector<PointId>                numberOf(other.points.size(), -1);
+  const std::vector<std::size_t> firstOfMesh = FirstTrianglesOfWalls(mesh);
+  const std::vector<std::size_t> firstOfOther = FirstTrianglesOfWalls(other);
+  std::vector<PointId>           numberOf(other.points.size(), -1);
+  // The corners and lines' points are the mesh's own.
+  const auto takePoint = [&](PointId & p) {
+    if (other.numberOfCells[p] != CellsWithinWall)
+    {
+      return;
+    }
+    if (numberOf[p] < 0)
+    {
+      numberOf[p] = static_cast<PointId>(mesh.points.size());
+      mesh.points.push_back(other.points[p]);
+      mesh.numberOfCells.push_back(CellsWithinWall);
+    }
+    p = numberOf[p];
+  };
   std::vector<std::array<PointId, 3>> triangles;
   std::vector<WallId>                 wallOfTriangle;
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
@@ -182,19 +196,9 @@ ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> 
     {
       triangles.push_back(source[t]);
       wallOfTriangle.push_back(static_cast<WallId>(w));
-      for (int i = 0; i < 3 && isReplaced[w] != 0; ++i)
+      if (isReplaced[w] != 0)
       {
-        PointId & p = triangles.back()[i];
-        if (other.numberOfCells[p] == CellsWithinWall)
-        {
-          if (numberOf[p] < 0)
-          {
-            numberOf[p] = static_cast<PointId>(mesh.points.size());
-            mesh.points.push_back(other.points[p]);
-            mesh.numberOfCells.push_back(CellsWithinWall);
-          }
-          p = numberOf[p];
-        }
+        std::for_each(triangles.back().begin(), triangles.back().end(), takePoint);
       }
     }
   }

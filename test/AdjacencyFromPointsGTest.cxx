@@ -65,14 +65,11 @@ protected:
   }
 
   nlohmann::json
-  RunAndReport(const std::string & options)
+  Reconstruct(const std::string & options)
   {
-    EXPECT_EQ(this->Run("points.csv walls.vtp --box tissue.mha --refinement 0 --evaluateAgainst tissue.mha "
-                        "--evaluateByLabel --report report.json " +
-                        options),
-              0)
-      << m_Errors;
-    return this->ReadReport();
+    return this->RunAndReport("points.csv walls.vtp --box tissue.mha --refinement 0 --evaluateAgainst tissue.mha "
+                              "--evaluateByLabel " +
+                              options);
   }
 
   ImageType::Pointer m_Tissue;
@@ -85,8 +82,8 @@ TEST_F(AdjacencyFromPoints, IsNearerToTheTissueThanThatOfTheCleanedComplex)
   for (const auto & [displacement, gain] : { std::pair{ 0.0, 0.03 }, { 0.1, 0.01 }, { 0.2, 0.0 } })
   {
     this->WritePoints(displacement);
-    const auto   paper = this->RunAndReport("--preset paper")["evaluation"];
-    const auto   tissue = this->RunAndReport("")["evaluation"]["optimized"];
+    const auto   paper = this->Reconstruct("--preset paper")["evaluation"];
+    const auto   tissue = this->Reconstruct("")["evaluation"]["optimized"];
     const double cleaned = paper["cleaned"]["adjacency4"];
     EXPECT_GT(tissue["adjacency4"], cleaned + gain) << displacement;
     EXPECT_GE(paper["optimized"]["adjacency4"], cleaned) << displacement;
@@ -97,7 +94,7 @@ TEST_F(AdjacencyFromPoints, PaperPresetMakesTheComplexMoreRegular)
 {
   // Table 2 of the paper, but for adjacencies that are not lost.
   this->WritePoints(0.0);
-  const auto   report = this->RunAndReport("--preset paper");
+  const auto   report = this->Reconstruct("--preset paper");
   const auto & cleaned = report["stages"]["cleaned"];
   const auto & optimized = report["stages"]["optimized"];
   EXPECT_LE(optimized["neighborhoodError"], 0.07);
@@ -107,6 +104,6 @@ TEST_F(AdjacencyFromPoints, PaperPresetMakesTheComplexMoreRegular)
   EXPECT_EQ(optimized["invertedTetrahedra"], 0);
   EXPECT_EQ(report["options"]["corners"], "lifted");
   // By the paper's terms alone they are.
-  const auto alone = this->RunAndReport("--preset paper --delaunayWeight 0")["evaluation"];
+  const auto alone = this->Reconstruct("--preset paper --delaunayWeight 0")["evaluation"];
   EXPECT_LT(alone["optimized"]["adjacency4"], alone["cleaned"]["adjacency4"]);
 }

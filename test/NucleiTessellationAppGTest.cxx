@@ -49,13 +49,6 @@ protected:
     }
   }
 
-  nlohmann::json
-  RunAndReport(const std::string & arguments)
-  {
-    EXPECT_EQ(this->Run(arguments + " --report report.json"), 0) << arguments << ": " << m_Errors;
-    return this->ReadReport();
-  }
-
   ImageType::Pointer                     m_Tissue;
   std::map<tissue::Label, tissue::Point> m_Points;
 };

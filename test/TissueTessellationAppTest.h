@@ -102,6 +102,13 @@ protected:
     return nlohmann::json::parse(ReadBytes(this->PathOf("report.json")));
   }
 
+  nlohmann::json
+  RunAndReport(const std::string & arguments)
+  {
+    EXPECT_EQ(this->Run(arguments + " --report report.json"), 0) << arguments << ": " << m_Errors;
+    return this->ReadReport();
+  }
+
   /** Labels with a remark of this reason. */
   static std::set<long>
   LabelsOf(const nlohmann::json & report, const std::string & reason)

@@ -129,7 +129,7 @@ private:
 
   /** Squared deviation from the ideal number of neighbours. */
   double
-  Deviation(std::int32_t numberOfNeighbors, bool touchesExterior) const;
+  NeighborDeviation(std::int32_t numberOfNeighbors, bool touchesExterior) const;
 
   const AdjacencyComplex &   m_Complex;
   const std::vector<Point> & m_Centers;

@@ -26,7 +26,7 @@ LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & cente
 /** Of spacings of vertices, as LocalSpacings() returns them, the median, the upper one of an even number: the
  * exterior's does not count. There must be another. */
 double
-MedianSpacing(std::vector<double> spacings);
+MedianSpacing(const std::vector<double> & spacings);
 } // namespace tissue
 
 #endif

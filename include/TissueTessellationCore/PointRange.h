@@ -7,9 +7,11 @@
 #ifndef TissueTessellationCore_PointRange_h
 #define TissueTessellationCore_PointRange_h
 
-#include "TissueTessellationCore/Types.h"
+#include "TissueTessellationCore/BoxGrid.h"
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,10 @@ namespace tissue
  * \param nameOf the point of an index, for the message. */
 void
 RequirePointRange(const std::vector<Point> & points, const std::function<std::string(std::size_t)> & nameOf);
+
+/** The first point that is outside of the box, its sides included in it. */
+std::optional<std::size_t>
+FindPointOutside(const std::vector<Point> & points, const Box & box);
 } // namespace tissue
 
 #endif
