@@ -23,4 +23,5 @@ itk_module(TissueTessellation
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
+  ENABLE_SHARED
 )

@@ -7,12 +7,12 @@
 // Our pipeline and its peers on the same label image in one go: times, and what each mesh keeps of the tissue.
 #include "ComparisonTable.h"
 #include "LabelInput.h"
-#include "TissueTessellationCore/TissueReconstruction.h"
-#include "TissueTessellationCore/Voids.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
+#include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationVTKBridge.h"
-#include "itkCoreParallelFor.h"
+#include "itkCoreExecution.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
-#include "itkLabelVolume.h"
+#include "itkLabelImageToLabelVolume.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

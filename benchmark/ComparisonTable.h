@@ -7,8 +7,8 @@
 #ifndef ComparisonTable_h
 #define ComparisonTable_h
 
-#include "Stopwatch.h"
-#include "TissueTessellationCore/TissueMeshEvaluation.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Evaluation/TissueMeshEvaluation.h"
 
 #include <nlohmann/json_fwd.hpp>
 

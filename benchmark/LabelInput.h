@@ -8,7 +8,7 @@
 #define LabelInput_h
 
 #include "PeerMeshers.h"
-#include "TissueTessellationCore/LabelVolume.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkTissueJunctions.h"
 
 #include <string>

@@ -7,8 +7,8 @@
 #ifndef PeerMeshers_h
 #define PeerMeshers_h
 
-#include "TissueTessellationCore/LabelledTriangles.h"
-#include "Stopwatch.h"
+#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
 
 #include <itkImage.h>
 

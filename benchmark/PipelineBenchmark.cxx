@@ -8,11 +8,12 @@
 // of voxels that adjacencies are as hard there as on real tissue: how long the optimization takes depends on it. Times
 // of small tissues are the mean of several, as one may be easier than others.
 #include "LabelInput.h"
-#include "Stopwatch.h"
-#include "TissueTessellationCore/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/ReconstructionParameters.h"
-#include "TissueTessellationCore/SpatialOrder.h"
-#include "TissueTessellationCore/SurfaceCleanUp.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
+#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
+#include "TissueTessellationCore/Geometry/SpatialOrder.h"
+#include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
 #include "itkSyntheticTissueImageSource.h"

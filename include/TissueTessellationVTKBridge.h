@@ -8,9 +8,9 @@
 #define TissueTessellationVTKBridge_h
 
 // The results of the module as VTK data: walls, cells with their statistics, and the adjacency complex.
-#include "TissueTessellationVTKCells.h"
-#include "TissueTessellationVTKComplex.h"
-#include "TissueTessellationVTKJunctions.h"
-#include "TissueTessellationVTKWalls.h"
+#include "TissueTessellationVTK/Cells.h"
+#include "TissueTessellationVTK/Complex.h"
+#include "TissueTessellationVTK/Junctions.h"
+#include "TissueTessellationVTK/Walls.h"
 
 #endif

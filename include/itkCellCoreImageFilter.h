@@ -9,7 +9,7 @@
 
 #include "itkImage.h"
 #include "itkImageToImageFilter.h"
-#include "TissueTessellationCore/Types.h"
+#include "TissueTessellationCore/Common/Types.h"
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 #include "itkCellCoreImageFilter.h"
 
-#include "TissueTessellationCore/LabelIndexer.h"
+#include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkMultiThreaderBase.h"
 #include "itkProgressAccumulator.h"

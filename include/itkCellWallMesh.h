@@ -7,6 +7,7 @@
 #ifndef itkCellWallMesh_h
 #define itkCellWallMesh_h
 
+#include "TissueTessellationExport.h"
 #include "itkDataObject.h"
 #include "itkObjectFactory.h"
 #include "itkVectorContainer.h"
@@ -41,7 +42,7 @@ namespace itk
  * \sa LabelImageToCellWallMeshFilter JunctionsToCellWallMeshFilter
  * \ingroup TissueTessellation
  */
-class CellWallMesh : public DataObject
+class TissueTessellation_EXPORT CellWallMesh : public DataObject
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CellWallMesh);
@@ -125,9 +126,5 @@ private:
   std::shared_ptr<const tissue::TissueReconstruction> m_Reconstruction;
 };
 } // namespace itk
-
-#ifndef ITK_MANUAL_INSTANTIATION
-#  include "itkCellWallMesh.hxx"
-#endif
 
 #endif

@@ -10,8 +10,8 @@
 #include "itkCellWallMesh.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTissueJunctions.h"
-#include "TissueTessellationCore/LabelledTriangles.h"
-#include "TissueTessellationCore/TissueMeshEvaluation.h"
+#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
+#include "TissueTessellationCore/Evaluation/TissueMeshEvaluation.h"
 
 #include <memory>
 

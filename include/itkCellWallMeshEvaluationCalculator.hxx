@@ -9,10 +9,10 @@
 
 #include "itkCellWallMeshEvaluationCalculator.h"
 
-#include "TissueTessellationCore/Voids.h"
-#include "itkCoreParallelFor.h"
+#include "TissueTessellationCore/Adjacency/Voids.h"
+#include "itkCoreExecution.h"
 #include "itkLabelJunctionExtractionFilter.h"
-#include "itkLabelVolume.h"
+#include "itkLabelImageToLabelVolume.h"
 
 #include <stdexcept>
 

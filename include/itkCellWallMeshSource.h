@@ -7,6 +7,7 @@
 #ifndef itkCellWallMeshSource_h
 #define itkCellWallMeshSource_h
 
+#include "TissueTessellationExport.h"
 #include "itkCellWallMesh.h"
 #include "itkProcessObject.h"
 
@@ -29,7 +30,7 @@ namespace itk
  *
  * \ingroup TissueTessellation
  */
-class CellWallMeshSource : public ProcessObject
+class TissueTessellation_EXPORT CellWallMeshSource : public ProcessObject
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CellWallMeshSource);
@@ -127,9 +128,5 @@ private:
   std::shared_ptr<const tissue::ReconstructionParameters> m_Parameters;
 };
 } // namespace itk
-
-#ifndef ITK_MANUAL_INSTANTIATION
-#  include "itkCellWallMeshSource.hxx"
-#endif
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef itkDifferenceOfGaussiansBlobDetectionFilter_h
 #define itkDifferenceOfGaussiansBlobDetectionFilter_h
 
-#include "TissueTessellationCore/BlobSelection.h"
+#include "TissueTessellationCore/Points/BlobSelection.h"
 #include "itkContinuousIndex.h"
 #include "itkImage.h"
 #include "itkImageToImageFilter.h"

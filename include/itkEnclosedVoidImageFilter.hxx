@@ -9,7 +9,7 @@
 
 #include "itkEnclosedVoidImageFilter.h"
 
-#include "TissueTessellationCore/LabelIndexer.h"
+#include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "itkConnectedComponentImageFilter.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIterator.h"

@@ -9,7 +9,7 @@
 
 #include "itkObject.h"
 #include "itkObjectFactory.h"
-#include "TissueTessellationCore/Types.h"
+#include "TissueTessellationCore/Common/Types.h"
 
 #include <map>
 

@@ -7,6 +7,7 @@
 #ifndef itkJunctionsToCellWallMeshFilter_h
 #define itkJunctionsToCellWallMeshFilter_h
 
+#include "TissueTessellationExport.h"
 #include "itkCellWallMeshSource.h"
 
 namespace tissue
@@ -33,7 +34,7 @@ class TissueJunctions;
  * \sa LabelJunctionExtractionFilter LabelImageToCellWallMeshFilter
  * \ingroup TissueTessellation
  */
-class JunctionsToCellWallMeshFilter : public CellWallMeshSource
+class TissueTessellation_EXPORT JunctionsToCellWallMeshFilter : public CellWallMeshSource
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(JunctionsToCellWallMeshFilter);
@@ -71,9 +72,5 @@ private:
   std::shared_ptr<const tissue::LabelVolume> m_LabelVolume;
 };
 } // namespace itk
-
-#ifndef ITK_MANUAL_INSTANTIATION
-#  include "itkJunctionsToCellWallMeshFilter.hxx"
-#endif
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef itkLabelImageToCellWallMeshFilter_h
 #define itkLabelImageToCellWallMeshFilter_h
 
-#include "TissueTessellationCore/Types.h"
+#include "TissueTessellationCore/Common/Types.h"
 #include "itkCellWallMeshSource.h"
 
 namespace itk

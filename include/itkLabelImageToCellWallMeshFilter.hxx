@@ -9,10 +9,10 @@
 
 #include "itkLabelImageToCellWallMeshFilter.h"
 
-#include "TissueTessellationCore/ReconstructionParameters.h"
+#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
-#include "itkLabelVolume.h"
+#include "itkLabelImageToLabelVolume.h"
 #include "itkProgressAccumulator.h"
 
 namespace itk

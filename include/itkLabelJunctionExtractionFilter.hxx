@@ -15,8 +15,8 @@
 #include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
 #include "itkWorkUnitErrors.h"
-#include "TissueTessellationCore/BlockScan.h"
-#include "TissueTessellationCore/GatherJunctions.h"
+#include "TissueTessellationCore/Image/BlockScan.h"
+#include "TissueTessellationCore/Image/GatherJunctions.h"
 
 #include <algorithm>
 #include <array>

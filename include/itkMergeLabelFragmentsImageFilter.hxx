@@ -9,7 +9,7 @@
 
 #include "itkMergeLabelFragmentsImageFilter.h"
 
-#include "TissueTessellationCore/LabelPieces.h"
+#include "TissueTessellationCore/Image/LabelFragments.h"
 #include "itkProgressReporter.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #ifndef itkPointSetToTissueLabelImageFilter_h
 #define itkPointSetToTissueLabelImageFilter_h
 
-#include "TissueTessellationCore/JunctionSet.h"
-#include "TissueTessellationCore/TissueMask.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Points/TissueMask.h"
 #include "itkImageBase.h"
 #include "itkImageSource.h"
 #include "itkPointSet.h"

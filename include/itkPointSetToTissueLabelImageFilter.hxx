@@ -9,10 +9,10 @@
 
 #include "itkPointSetToTissueLabelImageFilter.h"
 
-#include "TissueTessellationCore/PointRange.h"
-#include "TissueTessellationCore/PointTissue.h"
+#include "TissueTessellationCore/Geometry/PointRange.h"
+#include "TissueTessellationCore/Points/PointTissue.h"
 #include "itkContinuousIndex.h"
-#include "itkCoreParallelFor.h"
+#include "itkCoreExecution.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 
 #include "itkSyntheticNucleiImageFilter.h"
 
-#include "TissueTessellationCore/Random.h"
+#include "TissueTessellationCore/Common/Random.h"
 #include "itkAdditiveGaussianNoiseImageFilter.h"
 #include "itkDiscreteGaussianImageFilter.h"
 #include "itkImageRegionConstIterator.h"

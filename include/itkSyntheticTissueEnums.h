@@ -7,6 +7,8 @@
 #ifndef itkSyntheticTissueEnums_h
 #define itkSyntheticTissueEnums_h
 
+#include "TissueTessellationExport.h"
+
 #include <cstdint>
 #include <ostream>
 
@@ -42,19 +44,11 @@ public:
   };
 };
 
-inline std::ostream &
-operator<<(std::ostream & os, SyntheticTissueEnums::Shape shape)
-{
-  const char * const names[] = { "Block", "Dome", "Flower" };
-  return os << names[static_cast<unsigned int>(shape)];
-}
+TissueTessellation_EXPORT std::ostream &
+                          operator<<(std::ostream & os, SyntheticTissueEnums::Shape shape);
 
-inline std::ostream &
-operator<<(std::ostream & os, SyntheticTissueEnums::CellModel model)
-{
-  const char * const names[] = { "Voronoi", "Anisotropic", "Division" };
-  return os << names[static_cast<unsigned int>(model)];
-}
+TissueTessellation_EXPORT std::ostream &
+                          operator<<(std::ostream & os, SyntheticTissueEnums::CellModel model);
 } // namespace itk
 
 #endif

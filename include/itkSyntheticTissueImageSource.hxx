@@ -9,9 +9,9 @@
 
 #include "itkSyntheticTissueImageSource.h"
 
-#include "TissueTessellationCore/Progress.h"
-#include "TissueTessellationCore/SyntheticCells.h"
-#include "TissueTessellationCore/TissueShapes.h"
+#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
+#include "TissueTessellationCore/Tessellation/TissueShapes.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageScanlineIterator.h"
 #include "itkMajorityLabelImageFilter.h"

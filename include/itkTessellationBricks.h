@@ -7,7 +7,7 @@
 #ifndef itkTessellationBricks_h
 #define itkTessellationBricks_h
 
-#include "TissueTessellationCore/SyntheticCells.h"
+#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 
 #include <algorithm>
 #include <cmath>

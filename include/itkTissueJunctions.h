@@ -7,10 +7,11 @@
 #ifndef itkTissueJunctions_h
 #define itkTissueJunctions_h
 
+#include "TissueTessellationExport.h"
 #include "itkDataObject.h"
 #include "itkObjectFactory.h"
 #include "itkVectorContainer.h"
-#include "TissueTessellationCore/JunctionSet.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 
 namespace itk
 {
@@ -29,7 +30,7 @@ namespace itk
  * \sa LabelJunctionExtractionFilter
  * \ingroup TissueTessellation
  */
-class TissueJunctions : public DataObject
+class TissueTessellation_EXPORT TissueJunctions : public DataObject
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(TissueJunctions);
@@ -84,36 +85,17 @@ public:
 
   /** Empties the set. */
   void
-  Initialize() override
-  {
-    Superclass::Initialize();
-    m_JunctionSet = tissue::JunctionSet();
-  }
+  Initialize() override;
 
   void
-  Graft(const DataObject * data) override
-  {
-    const auto * other = dynamic_cast<const Self *>(data);
-    if (other == nullptr)
-    {
-      itkExceptionMacro(<< "Only another TissueJunctions can be grafted onto this one.");
-    }
-    m_JunctionSet = other->m_JunctionSet;
-  }
+  Graft(const DataObject * data) override;
 
 protected:
   TissueJunctions() = default;
   ~TissueJunctions() override = default;
 
   void
-  PrintSelf(std::ostream & os, Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "Cells, the exterior counted: " << m_JunctionSet.cells.size() << std::endl;
-    os << indent << "Walls: " << m_JunctionSet.walls.size() << std::endl;
-    os << indent << "Triple lines: " << m_JunctionSet.tripleLines.size() << std::endl;
-    os << indent << "Junctions: " << m_JunctionSet.junctions.size() << std::endl;
-  }
+  PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
   template <typename TVertices>
@@ -123,9 +105,5 @@ private:
   tissue::JunctionSet m_JunctionSet;
 };
 } // namespace itk
-
-#ifndef ITK_MANUAL_INSTANTIATION
-#  include "itkTissueJunctions.hxx"
-#endif
 
 #endif

@@ -1,0 +1,141 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+// Finds nuclei in an image of their stain: NucleiDetection [options] image points.csv
+
+#include "NucleiDetection/BlobPicture.h"
+#include "Shared/Points/NucleiSearch.h"
+#include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/Files/OutputFiles.h"
+#include "Shared/Points/PointFileWriter.h"
+#include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/CommandLine/RunProgram.h"
+#include "Shared/Images/ScalarImageInput.h"
+
+#include <itkMultiThreaderBase.h>
+
+#include <array>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace tissue;
+
+struct Options
+{
+  std::string                          image;
+  std::string                          points;
+  std::string                          picture;
+  DetectionOptions                     detection;
+  std::optional<std::array<double, 3>> spacing;
+  std::uint32_t                        threads = 0;
+  bool                                 isQuiet = false;
+};
+
+void
+AddOptions(CLI::App & app, Options & options)
+{
+  app.option_defaults()->always_capture_default();
+  app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
+  app.add_option("image", options.image, "3-D image of one component, of any type that ITK reads")->required();
+  app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
+  app
+    .add_option(
+      "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles")
+    ->check(EndsIn(".png"));
+  AddDetectionOptions(app, options.detection);
+  app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(InRange(1e-12, 1e12));
+  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
+  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors and warnings");
+}
+
+/** Throws for everything that would make the outputs impossible, before the work. */
+void
+CheckOutputs(const Options & options)
+{
+  for (const std::string & path : { options.points, options.picture })
+  {
+    if (!path.empty())
+    {
+      OutputFiles::RequireWritable(path);
+      OutputFiles::RequireNotInput(path, options.image);
+    }
+  }
+}
+
+void
+Run(const Options & options)
+{
+  const std::string format = RequirePointFormat(options.points);
+  CheckOutputs(options);
+  ProgressBar progress(options.isQuiet);
+  progress.Begin("Reading");
+  const ScalarImageFile      file = ReadScalarImage(options.image, options.spacing);
+  const ScalarImage::Pointer image = file.image;
+  const auto detection = WithFileName(options.image, [&] { return DetectNuclei(image, options.detection, progress); });
+  const auto * const blobs = detection->GetOutput();
+  PointTable         table;
+  table.columns = { { "label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
+  for (itk::SizeValueType i = 0; i < blobs->GetNumberOfPoints(); ++i)
+  {
+    const auto point = blobs->GetPoint(i);
+    const auto data = blobs->GetPointData()->GetElement(i);
+    table.points.push_back({ { point[0], point[1], point[2] } });
+    const double values[] = { static_cast<double>(i + 1), data[0], BlobRadius(data[0]), data[1] };
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+    {
+      table.columns[c].second.push_back(values[c]);
+    }
+  }
+  progress.Begin("Writing");
+  OutputFiles files;
+  files.Add(options.points, [&](const std::string & path) { WritePoints(table, path, format); });
+  if (!options.picture.empty())
+  {
+    files.Add(options.picture, [&](const std::string & path) { WriteBlobPicture(image, table, path); });
+  }
+  files.Commit();
+  progress.End();
+  std::vector<std::string> warnings = file.warnings;
+  if (table.points.empty())
+  {
+    warnings.push_back(options.image + ": no nuclei" + DescribeSearch(*detection, "with"));
+  }
+  for (const std::string & warning : warnings)
+  {
+    std::cerr << "NucleiDetection: warning: " << warning << '\n';
+  }
+  if (!options.isQuiet)
+  {
+    std::cout << options.points << ": " << table.points.size() << " nuclei of scales from "
+              << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale() << ", responses of "
+              << detection->GetUsedThreshold() << " and more\n";
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return RunProgram("NucleiDetection", [&] {
+    Options  options;
+    CLI::App app("Finds nuclei, or other blobs, in a 3-D image, by the maxima of its scale space.", "NucleiDetection");
+    AddOptions(app, options);
+    if (!Parse(app, argc, argv))
+    {
+      return;
+    }
+    if (options.threads > 0)
+    {
+      itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
+      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
+    }
+    Run(options);
+  });
+}

@@ -1,0 +1,49 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Shared/CommandLine/RunProgram.h"
+
+#include <itkMacro.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <regex>
+
+namespace tissue
+{
+std::string
+ToMessage(const std::exception & error)
+{
+  if (dynamic_cast<const std::bad_alloc *>(&error))
+  {
+    return "out of memory";
+  }
+  const auto *      itkError = dynamic_cast<const itk::ExceptionObject *>(&error);
+  const std::string text = itkError ? itkError->GetDescription() : error.what();
+  // "ITK ERROR: Class(0x55d1): ", and the name of the function that our core, or a library, begins with.
+  static const std::regex prefix(R"(^(ITK ERROR: )?(\w+ ?\((0x)?[0-9a-fA-F]+\): )?([A-Z]\w+: )?)");
+  static const std::regex spaces(R"(\s+)");
+  std::string             message = std::regex_replace(std::regex_replace(text, prefix, ""), spaces, " ");
+  message.erase(message.find_last_not_of(' ') + 1);
+  return message;
+}
+
+int
+RunProgram(const std::string & name, const std::function<void()> & work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::exception & error)
+  {
+    std::cerr << name << ": " << ToMessage(error) << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+} // namespace tissue

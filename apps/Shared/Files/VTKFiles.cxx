@@ -1,0 +1,125 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Shared/Files/VTKFiles.h"
+
+#include "Shared/Files/WriteOrThrow.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVariant.h>
+#include <vtkXMLDataObjectWriter.h>
+#include <vtkXMLWriter.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+namespace tissue
+{
+namespace
+{
+void
+AppendValue(std::string & row, vtkDataArray * column, vtkIdType index)
+{
+  if (column->GetDataType() != VTK_DOUBLE)
+  {
+    row += std::to_string(column->GetVariantValue(index).ToTypeInt64());
+    return;
+  }
+  char       text[32];
+  const auto end = std::to_chars(text, text + sizeof(text), column->GetComponent(index, 0)).ptr;
+  row.append(text, end);
+}
+
+void
+WriteBytes(const std::string & bytes, const std::string & path)
+{
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << bytes << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error(std::strerror(errno));
+  }
+}
+
+/** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
+void
+ClearNotes(vtkFieldData * arrays)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    arrays->GetAbstractArray(i)->GetInformation()->Clear();
+  }
+}
+} // namespace
+
+void
+WriteXML(vtkPointSet * data, const std::string & path)
+{
+  ClearNotes(data->GetPointData());
+  ClearNotes(data->GetCellData());
+  ClearNotes(data->GetFieldData());
+  data->GetPoints()->GetData()->GetInformation()->Clear();
+  const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
+  if (!writer)
+  {
+    throw std::runtime_error(std::string("VTK has no XML format for a ") + data->GetClassName());
+  }
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  WriteOrThrow(writer.Get(), path);
+}
+
+void
+WriteCSV(vtkTable * table, const std::string & path)
+{
+  std::string text;
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    text += (column == 0 ? "" : ",") + std::string(table->GetColumnName(column));
+  }
+  text += '\n';
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    {
+      text += column == 0 ? "" : ",";
+      AppendValue(text, vtkDataArray::SafeDownCast(table->GetColumn(column)), row);
+    }
+    text += '\n';
+  }
+  WriteBytes(text, path);
+}
+
+void
+WritePNG(vtkImageData * image, const std::string & path)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  // Writers of PNG files do not survive a full disk.
+  writer->WriteToMemoryOn();
+  WriteOrThrow(writer.Get(), path);
+  vtkUnsignedCharArray * const bytes = writer->GetResult();
+  const unsigned char * const  begin = bytes->GetPointer(0);
+  WriteBytes(std::string(begin, begin + bytes->GetNumberOfValues()), path);
+}
+} // namespace tissue

@@ -1,0 +1,48 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef DetectionOptions_h
+#define DetectionOptions_h
+
+#include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/Images/ScalarImageInput.h"
+#include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace tissue
+{
+/** How nuclei are found in their image: see itk::DifferenceOfGaussiansBlobDetectionFilter. */
+struct DetectionOptions
+{
+  double       minimumScale = 0.0;
+  double       maximumScale = 0.0;
+  unsigned int stepsPerOctave = 4;
+  double       threshold = 0.0;
+  double       relativeThreshold = 0.0;
+  double       maximumOverlap = 0.5;
+  double       maximumHessianRatio = 10.0;
+  double       borderMargin = 0.0;
+  bool         isDark = false;
+};
+
+using DetectionFilter = itk::DifferenceOfGaussiansBlobDetectionFilter<ScalarImage>;
+
+void
+AddDetectionOptions(CLI::App & app, DetectionOptions & options);
+
+/** After a number of nuclei: what was looked for, `verb` being with or have. */
+std::string
+DescribeSearch(const DetectionFilter & detection, const std::string & verb);
+
+/** The filter, updated. */
+DetectionFilter::Pointer
+DetectNuclei(const ScalarImage * image, const DetectionOptions & options, ProgressBar & progress);
+} // namespace tissue
+
+#endif

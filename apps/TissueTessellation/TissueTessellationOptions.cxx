@@ -1,0 +1,108 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellation/TissueTessellationOptions.h"
+
+#include "Shared/Reconstruction/MethodOptions.h"
+
+namespace tissue
+{
+namespace
+{
+void
+AddImageOptions(CLI::App & app, ReconstructionOptions & options)
+{
+  const std::string group = "Image";
+  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of the exterior; found in the image by default")
+    ->group(group);
+  app.add_flag("--zeroIsCell", options.zeroIsCell, "Take label 0 for a cell")->group(group);
+  app.add_option("--spacing", options.spacing, "Voxel size x y z in place of the file's")
+    ->type_name("FLOAT FLOAT FLOAT")
+    ->check(InRange(1e-12, 1e12))
+    ->group(group);
+  // A flag with a value, so that the width can be left out: 0 stands for the automatic one.
+  app
+    .add_flag(
+      "--closeGaps{0}",
+      "Grow the labels over walls of background between them; --closeGaps=WIDTH: over walls up to this width, in "
+      "the image's units, instead of one chosen from the image")
+    ->check(InRange(0.0, 1e12))
+    ->group(group);
+}
+
+/** Whether the cells come from an image of membranes must be known before the files are. */
+void
+AddInputOptions(CLI::App & app, bool hasMembranes, ReconstructionOptions & options)
+{
+  if (!hasMembranes)
+  {
+    app.add_option("labels", options.labels, "Segmented 3-D image in any of ITK's formats; none with --membrane")
+      ->required()
+      ->type_name("FILE");
+  }
+  const std::string group = "Membranes";
+  app
+    .add_option("--membrane",
+                options.membrane.file,
+                "Image of bright cell membranes, in place of the segmented one: its minima are the cells")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option("--markerSigma",
+                options.membrane.markerSigma,
+                "Smoothing of it for its minima, in the image's units; 0: by a voxel")
+    ->check(InRange(0.0, 1e12))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--markerDepth", options.membrane.markerDepth, "Least depth of a minimum, of the range of intensities")
+    ->check(InRange(0.0, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  AddMembraneOptions(app, options.membrane);
+}
+} // namespace
+
+std::optional<ReconstructionOptions>
+ParseCommandLine(int argc, char ** argv)
+{
+  ReconstructionOptions options;
+  CLI::App              app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
+                "TissueTessellation" };
+  app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
+  ApplyPreset(argc, argv, ReconstructionParameters::PaperPreset(), options);
+  AddInputOptions(app, HasOption("--membrane", argc, argv), options);
+  AddOutputOptions(app, options);
+  AddImageOptions(app, options);
+  AddEvaluationOption(app, options);
+  AddMethodOptions(app, options);
+  AddRunOptions(app, options);
+  if (!Parse(app, argc, argv))
+  {
+    return std::nullopt;
+  }
+  const CLI::Option * const closeGaps = app.get_option("--closeGaps");
+  options.closeGaps = *closeGaps ? std::optional<double>(closeGaps->as<double>()) : std::nullopt;
+  FinishParameters(options);
+  return options;
+}
+
+nlohmann::ordered_json
+ToJson(const ReconstructionOptions & options)
+{
+  nlohmann::ordered_json json;
+  json["preset"] = options.preset;
+  json["exteriorLabel"] = options.exteriorLabel ? nlohmann::ordered_json(*options.exteriorLabel) : "automatic";
+  json["zeroIsCell"] = options.zeroIsCell;
+  json["spacing"] = options.spacing ? nlohmann::ordered_json(*options.spacing) : "of the image";
+  json["closeGaps"] = options.closeGaps ? nlohmann::ordered_json(*options.closeGaps) : "off";
+  json["evaluateAgainst"] = options.evaluateAgainst;
+  json["evaluateByLabel"] = options.evaluateByLabel;
+  AddToJson(options.membrane, json);
+  AddToJson(options.parameters, json);
+  return json;
+}
+} // namespace tissue

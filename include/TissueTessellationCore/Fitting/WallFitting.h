@@ -1,0 +1,47 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_WallFitting_h
+#define TissueTessellationCore_WallFitting_h
+
+#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
+#include "TissueTessellationCore/Common/ParallelFor.h"
+#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
+
+namespace tissue
+{
+/** \brief How the fit of the walls went. */
+struct WallFittingStatistics
+{
+  /** Corners whose four cells do not meet in the image, or nowhere near. */
+  std::int64_t unfittedCorners = 0;
+  /** Those of each cell, by vertex. */
+  std::vector<std::int32_t> unfittedCornersOfCell;
+  /** Pairs of triangles of the first star that crossed, and those that no search could part. */
+  std::int64_t untangledPairs = 0;
+  std::int64_t crossingPairs = 0;
+  /** Walls that stay a subdivided star or outline at first, as their triangles would cross if remeshed. */
+  std::int64_t starWalls = 0;
+};
+
+/** \brief The walls of the complex's dual, fitted to the label image: corners, triple lines and walls where the
+ * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
+ * crossing unless the statistics say so.
+ *
+ * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in spatial order.
+ * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
+ * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
+ * `parallelFor`. \throws Aborted where `progress` asks to stop. */
+WallMesh
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
+         const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
+} // namespace tissue
+
+#endif

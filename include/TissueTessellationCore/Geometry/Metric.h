@@ -1,0 +1,43 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_Metric_h
+#define TissueTessellationCore_Metric_h
+
+#include "TissueTessellationCore/Common/Types.h"
+
+namespace tissue
+{
+/** A symmetric positive definite 3x3 matrix: xx, xy, xz, yy, yz, zz. */
+using Metric = std::array<double, 6>;
+
+/** v' M v. */
+inline double
+QuadraticForm(const Metric & m, const Point & v)
+{
+  return v[0] * (m[0] * v[0] + 2.0 * (m[1] * v[1] + m[2] * v[2])) + v[1] * (m[3] * v[1] + 2.0 * m[4] * v[2]) +
+         m[5] * v[2] * v[2];
+}
+
+inline Metric
+Inverse(const Metric & m)
+{
+  Metric       inverse = { { m[3] * m[5] - m[4] * m[4],
+                             m[2] * m[4] - m[1] * m[5],
+                             m[1] * m[4] - m[2] * m[3],
+                             m[0] * m[5] - m[2] * m[2],
+                             m[1] * m[2] - m[0] * m[4],
+                             m[0] * m[3] - m[1] * m[1] } };
+  const double determinant = m[0] * inverse[0] + m[1] * inverse[1] + m[2] * inverse[2];
+  for (double & value : inverse)
+  {
+    value /= determinant;
+  }
+  return inverse;
+}
+} // namespace tissue
+
+#endif

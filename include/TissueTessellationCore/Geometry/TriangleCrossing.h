@@ -1,0 +1,29 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TriangleCrossing_h
+#define TissueTessellationCore_TriangleCrossing_h
+
+#include "TissueTessellationCore/Mesh/WallMesh.h"
+
+namespace tissue
+{
+/** \brief Whether two triangles have a point in common that is not of the points and edges they share.
+ *
+ * A triangle is with its edges and corners, and shares what has the same indices: a mesh is embedded exactly if no two
+ * of its triangles cross. So
+ * - two without a shared point cross where they touch, be it at equal points of different indices;
+ * - two that share a point cross where the edge opposite to it, of one, meets the other;
+ * - two that share an edge cross where one is folded by 180 degrees onto the other;
+ * - two that share all three points are the same, and cross.
+ *
+ * Exact for every finite input. A triangle whose points are on one line is the segment that it covers; two such that
+ * share an edge do not cross. */
+bool
+TrianglesCross(const std::vector<Point> & points, const std::array<PointId, 3> & a, const std::array<PointId, 3> & b);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,55 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TriangleQuality_h
+#define TissueTessellationCore_TriangleQuality_h
+
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
+
+#include <limits>
+
+namespace tissue
+{
+/** \brief 4 sqrt(3) area / sum of squared edge lengths: 1 for an equilateral triangle, 0 for collinear or equal points.
+ * (R. E. Bank and R. K. Smith, Mesh smoothing using a posteriori error estimates, SIAM J. Numer. Anal. 34, 1997.) */
+double
+TriangleQuality(const Point & a, const Point & b, const Point & c);
+
+/** 1 / TriangleQuality squared: at least 1, infinite for a degenerate triangle. Needs no root, and is for inner loops.
+ */
+inline double
+TriangleDistortion(const Point & a, const Point & b, const Point & c)
+{
+  const Point  ab = b - a;
+  const Point  ac = c - a;
+  const Point  bc = c - b;
+  const Point  normal = Cross(ab, ac);
+  const double squares = Dot(ab, ab) + Dot(ac, ac) + Dot(bc, bc);
+  const double area = Dot(normal, normal);
+  return area > 0.0 ? squares * squares / (12.0 * area) : std::numeric_limits<double>::infinity();
+}
+
+/** How TriangleDistortion changes with its first point; within the triangle's plane. Not finite for a degenerate
+ * triangle. */
+Point
+TriangleDistortionGradient(const Point & a, const Point & b, const Point & c);
+
+/** \brief The quality of a mesh's triangles. */
+struct QualitySummary
+{
+  double mean = 0.0;
+  /** A twentieth of the triangles are worse. */
+  double fifthPercentile = 0.0;
+  double least = 0.0;
+};
+
+/** All zero for a mesh without triangles. */
+QualitySummary
+SummarizeTriangleQuality(const WallMesh & mesh);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,34 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_GatherJunctions_h
+#define TissueTessellationCore_GatherJunctions_h
+
+#include "TissueTessellationCore/Image/BlockScan.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** Joins the scans of an image, which are of consecutive planes and together of the planes 1 ... size[2] + 1.
+ *
+ * \param size the image's size in voxels.
+ * \param spacing the edges of a voxel, for volumes and areas.
+ * \param exterior the labels the scans took for the exterior. The exterior vertex has the first of them; where the
+ * outside of the image is the only exterior, a label that no cell has: the first free one of 0, -1, -2, ...
+ * \return the junction set, its points as continuous indices of the image, whose first voxel is (0, 0, 0). */
+JunctionSet
+GatherJunctions(const std::vector<const BlockScan *> & scans, const BlockScan::Index & size, const Point & spacing,
+                const ExteriorLabels & exterior);
+
+/** The junctions of the given quadruples of cells (any order, as vertices of the complex), in ascending order;
+ * positions as continuous indices. */
+std::vector<Junction>
+ClusterJunctions(std::vector<BlockScan::Quadruple> quadruples);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,56 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_IndicatorField_h
+#define TissueTessellationCore_IndicatorField_h
+
+#include "TissueTessellationCore/Image/LabelVolume.h"
+
+namespace tissue
+{
+/** \brief The indicators of the cells of a label image, each smoothed by a cubic B-spline of the voxels.
+ *
+ * At every point the indicators of all cells and the exterior add up to 1. Where two are equal is the wall of two
+ * cells, without a staircase; where three or four are, a triple line or a corner. */
+class IndicatorField
+{
+public:
+  struct Sample
+  {
+    std::array<double, 4> values = { { 0.0, 0.0, 0.0, 0.0 } };
+    /** Along the physical axes. */
+    std::array<Point, 4> gradients = {};
+  };
+
+  /** The volume must outlive the field. */
+  explicit IndicatorField(const LabelVolume & volume);
+
+  /** The indicators of the first `count` cells at a physical point; at most four. */
+  Sample
+  Evaluate(const Point & point, const VertexQuadruple & cells, int count) const;
+
+  /** Moves the point where the indicators of the `count` cells, two to four, are equal, by Gauss-Newton steps of least
+   * length. False, with the point as it was, where the cells are not near, or it would move by more than `reach`
+   * voxels. */
+  bool
+  Project(Point & point, const VertexQuadruple & cells, int count, double reach) const;
+
+  /** The direction of the triple line of three cells that are met counterclockwise seen from its tip; not normalized,
+   * zero where one of the cells is not near. */
+  Point
+  LineDirection(const Point & point, const VertexTriple & cells) const;
+
+  /** The length of a physical vector in voxels. */
+  double
+  LengthInVoxels(const Point & vector) const;
+
+private:
+  const LabelVolume &  m_Volume;
+  std::array<Point, 3> m_Inverse;
+};
+} // namespace tissue
+
+#endif

@@ -1,0 +1,81 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_CellRemark_h
+#define TissueTessellationCore_CellRemark_h
+
+#include "TissueTessellationCore/Common/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace tissue
+{
+class AdjacencyComplex;
+struct JunctionSet;
+
+/** What a user should know of one cell: what the image, not the method, made special or impossible. */
+enum class Remark
+{
+  /** The cell has stray pieces; only its largest piece gives its centre. Value: voxels in the others. */
+  SeveralPieces,
+  /** The border of the image may cut the cell. */
+  CutByBorder,
+  /** The cell has one neighbour in the image: it is enclosed in it. It has false walls in the mesh, as every cell of an
+   * adjacency complex has at least four neighbours. Value: the neighbour's label. */
+  Enclosed,
+  /** The cell touches no other cell in the image, only the exterior. */
+  Separated,
+  /** The cell's part of the tissue touches no other and is too small for a complex of its own; false walls join it to
+   * the nearest part. */
+  StrayPart,
+  /** The cell has two or more separate walls to one other cell or to the exterior in the image, of which an adjacency
+   * complex can have one. Value: the number of such neighbours. */
+  SeparateWalls,
+  /** The cell meets the same neighbours and the exterior on two sides in the image, as in a sheet of one layer; the
+   * mesh has one of them. Value: the number of its junctions with the exterior that are at several places. */
+  ExteriorOnTwoSides,
+  /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
+  CenterMoved,
+  /** The cell touches the exterior in the image, but not in the mesh. */
+  ExteriorLost,
+  /** The cell touches the exterior in the mesh, but not in the image. */
+  ExteriorGained,
+  /** Value: the number of the cell's walls in the image that are not in the mesh. */
+  WallsLost,
+  /** Value: the number of the cell's walls in the mesh that are not in the image. */
+  WallsGained,
+  /** The cell's volume in the mesh is below half or above twice that in the image: few corners and straight walls do
+   * not describe it. Value: the volume in the mesh over that in the image; negative for a cell turned inside out. */
+  VolumeOff,
+  /** Corners of the cell that are at the mean of their neighbours, as the image has none there. Value: their number. */
+  CornersNotFitted,
+  /** The cell's volume in a mesh that is fitted to the image is more than 1 % off, as its walls would cross others.
+   * Value: as of VolumeOff. */
+  VolumeNotFitted
+};
+
+struct CellRemark
+{
+  VertexId cell;
+  Remark   remark;
+  double   value;
+};
+
+/** One word, stable, for reports: "severalPieces" and so on. */
+const char *
+ToString(Remark remark);
+
+/** A sentence for a person, without the cell's label. */
+std::string
+Describe(const CellRemark & remark);
+
+/** All remarks that follow from the image and the final complex, ascending by cell, then by kind. */
+std::vector<CellRemark>
+CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,79 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_ReconstructionParameters_h
+#define TissueTessellationCore_ReconstructionParameters_h
+
+#include "TissueTessellationCore/Dual/CellCorners.h"
+#include "TissueTessellationCore/Optimization/TopologyOptimizer.h"
+
+namespace tissue
+{
+/** \brief All that can be chosen between a JunctionSet and its wall mesh. A default-constructed object is the preset
+ * for label images, PaperPreset() the paper's method to the letter; there is one of either kind for points. */
+struct ReconstructionParameters
+{
+  /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
+   */
+  bool separateParts = true;
+  /** Whether the voids enclosed in the tissue are vertices of their own (JunctionSet::voids); else they are the
+   * exterior.
+   */
+  bool separateVoids = true;
+
+  /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
+   */
+  double maximumEdgeLength = 0.0;
+  double maximumEdgeLengthFactor = 1.2;
+  /** Whether the automatic l_max follows the local spacing of the centres (LocalSpacing.h) in place of the median
+   * distance; it does where no neighbours are known. */
+  bool localMaximumEdgeLength = false;
+  /** See SurfaceCleanUpParameters::guidedByReference. */
+  bool guidedCleanUp = true;
+
+  EnergyParameters    energy;
+  AnnealingParameters annealing;
+
+  CornerRule corners = CornerRule::ImageJunction;
+  /** Whether the walls are fitted to the label image, where there is one (WallFitting.h); else they are smoothed stars.
+   */
+  bool fitToImage = true;
+  /** Of the fitted walls: the wanted number, each counted once; 40 .. 10000. */
+  double trianglesPerCell = 150.0;
+  /** Times that every triangle of the stars is split in four; 0 .. 3. Fitted walls at 0 are the fitted stars. */
+  int refinement = 1;
+  /** Iterations of the smoothing; 0 or more. Fitted walls have none. */
+  int smoothingIterations = 10;
+
+  /** Whether every stage keeps its tetrahedra (ReconstructionStage). */
+  bool keepStages = false;
+
+  ReconstructionParameters();
+
+  /** The preset for junctions with votes, which are an estimate from points (PointTissue.h): where the votes leave it
+   * open, as they do the more the less exact the points are, numbers of neighbours and nearness to Delaunay decide. */
+  static ReconstructionParameters
+  PointsPreset();
+
+  /** Sections 3 and 4 of the paper: one complex, clean-up by length alone, geometric legality, projected Delaunay
+   * rings, the energy of three terms at the paper's weights, corners from the cell centres. */
+  static ReconstructionParameters
+  PaperPreset();
+
+  /** The same for points alone (section 4.3), without the image term, with l_max by the local spacing and the surface
+   * where it is. By the paper's terms alone the complex becomes more regular than the tissue and loses adjacencies (its
+   * Table 2): a weight on the deviation from Delaunay is added to the energy, lengths are in units of the local
+   * spacing, at a weight (15) that keeps them in balance with it, and the first temperature is a tenth. */
+  static ReconstructionParameters
+  PaperPointsPreset();
+
+  /** \throws std::invalid_argument that names the parameter, its value and its range. */
+  void
+  Check() const;
+};
+} // namespace tissue
+
+#endif

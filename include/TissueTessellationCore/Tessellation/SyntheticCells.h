@@ -1,0 +1,46 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_SyntheticCells_h
+#define TissueTessellationCore_SyntheticCells_h
+
+#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Tessellation/TissueSamples.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tissue
+{
+struct SyntheticCellOptions
+{
+  /** At least 1. */
+  std::int32_t  numberOfCells = 1;
+  std::uint64_t seed = 0;
+  /** Greatest ratio of the longest to the shortest axis of a founder's metric, at least 1. At 1 all have the same
+   * metric and are Voronoi cells; above it axes, ratio and size are random, each founder's its own. */
+  double anisotropy = 1.0;
+  /** Cells before the first division, in [1, numberOfCells]. */
+  std::int32_t numberOfFounders = 1;
+};
+
+/** \brief The cells of a synthetic tissue, as a tessellation.
+ *
+ * Founders tessellate the tissue, each with its seed about in its centroid (Lloyd's relaxation). Then cells divide, a
+ * generation at a time, until there are as many as asked for: the largest but for the chance of their growth, across
+ * one of their longer directions. After it every cell rounds off: its metric becomes that of its covariance, which
+ * keeps size, length and flatness but not the corners. The tissue as a whole keeps its size: cells grow between two
+ * divisions, and the frame with them.
+ *
+ * Every cell is the nearest of at least one sample.
+ * \throws std::runtime_error if there are fewer samples than cells, or no arrangement is found.
+ * \throws Aborted if \a progress asks for it. */
+AnisotropicTessellation
+GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & options,
+                   const ProgressFunction & progress);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,199 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationVTKCells_h
+#define TissueTessellationVTKCells_h
+
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationVTK/Walls.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace bridge
+{
+/** Adds an array with one value for each of the given vertices. */
+template <typename TArray, typename TValueOf>
+void
+AddColumn(vtkDataSetAttributes * attributes, const char * name, const std::vector<VertexId> & vertices,
+          const TValueOf & valueOf)
+{
+  const auto column = MakeArray<TArray>(name, 1, static_cast<vtkIdType>(vertices.size()));
+  for (std::size_t row = 0; row < vertices.size(); ++row)
+  {
+    column->SetValue(static_cast<vtkIdType>(row), valueOf(vertices[row]));
+  }
+  attributes->AddArray(column);
+}
+
+/** Cells, the exterior not counted, that each vertex shares a wall with. */
+inline std::vector<std::int32_t>
+CountNeighbors(const WallMesh & mesh, std::size_t numberOfVertices)
+{
+  std::vector<VertexPair> pairs;
+  WallId                  previous = -1;
+  for (const WallId wall : mesh.wallOfTriangle)
+  {
+    VertexPair cells = mesh.walls[wall].cells;
+    std::sort(cells.begin(), cells.end());
+    if (wall != previous && cells[0] != ExteriorVertex)
+    {
+      pairs.push_back(cells);
+    }
+    previous = wall;
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<std::int32_t> counts(numberOfVertices, 0);
+  for (const VertexPair & pair : pairs)
+  {
+    ++counts[pair[0]];
+    ++counts[pair[1]];
+  }
+  return counts;
+}
+
+/** Adds the columns of MakeCellTable, one row for each of the given vertices. */
+inline void
+AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, const std::vector<Cell> & cells,
+                  const CellSurfaceCheck & check, const std::vector<VertexId> & vertices)
+{
+  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  if (check.cells.size() != cells.size())
+  {
+    throw std::invalid_argument("VTK bridge: the check of the cells' surfaces is for " +
+                                std::to_string(check.cells.size()) + " vertices, must be for " +
+                                std::to_string(cells.size()));
+  }
+  using Vertex = VertexId;
+  const std::vector<CellSurface> & surfaces = check.cells;
+  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, cells.size());
+  const auto                       add64 = [&](const char * name, std::int64_t Cell::*member) {
+    AddColumn<vtkTypeInt64Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member; });
+  };
+  const auto addFlag = [&](const char * name, bool Cell::*member) {
+    AddColumn<vtkTypeUInt8Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member ? 1 : 0; });
+  };
+  const auto addSurface = [&](const char * name, std::int32_t CellSurface::*member) {
+    AddColumn<vtkTypeInt32Array>(attributes, name, vertices, [&](Vertex v) { return surfaces[v].*member; });
+  };
+  add64("Label", &Cell::label);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const char * const names[] = { "CenterX", "CenterY", "CenterZ" };
+    AddColumn<vtkTypeFloat64Array>(attributes, names[axis], vertices, [&](Vertex v) { return cells[v].center[axis]; });
+  }
+  AddColumn<vtkTypeFloat64Array>(attributes, "Volume", vertices, [&](Vertex v) { return surfaces[v].volume; });
+  AddColumn<vtkTypeFloat64Array>(attributes, "ImageVolume", vertices, [&](Vertex v) { return cells[v].volume; });
+  AddColumn<vtkTypeFloat64Array>(attributes, "SurfaceArea", vertices, [&](Vertex v) { return surfaces[v].area; });
+  AddColumn<vtkTypeInt32Array>(attributes, "NumberOfNeighbors", vertices, [&](Vertex v) { return neighbors[v]; });
+  addSurface("NumberOfTriangles", &CellSurface::numberOfTriangles);
+  addSurface("EulerCharacteristic", &CellSurface::eulerCharacteristic);
+  AddColumn<vtkTypeUInt8Array>(attributes, "IsClosed", vertices, [&](Vertex v) { return surfaces[v].IsClosed(); });
+  addFlag("TouchesExterior", &Cell::touchesExterior);
+  addFlag("TouchesBorder", &Cell::touchesBorder);
+  AddColumn<vtkTypeInt32Array>(
+    attributes, "NumberOfPieces", vertices, [&](Vertex v) { return cells[v].numberOfPieces; });
+  add64("NumberOfVoxels", &Cell::numberOfVoxels);
+  add64("NumberOfStrayVoxels", &Cell::numberOfStrayVoxels);
+  attributes->SetActiveScalars("Label");
+}
+
+/** Inserts the polyhedron of a cell from its outward triangles, three points each. */
+inline void
+InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & triangles)
+{
+  std::vector<vtkIdType> points = triangles;
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<vtkIdType> faces;
+  faces.reserve(triangles.size() / 3 * 4);
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+  {
+    faces.insert(faces.end(), { 3, triangles[i], triangles[i + 1], triangles[i + 2] });
+  }
+  grid->InsertNextCell(VTK_POLYHEDRON,
+                       static_cast<vtkIdType>(points.size()),
+                       points.data(),
+                       static_cast<vtkIdType>(triangles.size() / 3),
+                       faces.data());
+}
+} // namespace bridge
+
+/** \brief One row of statistics for each cell of the tissue, in ascending order of the labels.
+ *
+ * | column | type | meaning |
+ * |---|---|---|
+ * | `Label` (active scalars) | Int64 | label in the image |
+ * | `CenterX`, `CenterY`, `CenterZ` | Float64 | barycentre in the image |
+ * | `Volume` | Float64 | volume inside the cell's walls; meaningless where `IsClosed` is 0 |
+ * | `ImageVolume` | Float64 | volume of the cell's voxels |
+ * | `SurfaceArea` | Float64 | area of the cell's walls |
+ * | `NumberOfNeighbors` | Int32 | cells that share a wall with it, the exterior not counted |
+ * | `NumberOfTriangles`, `EulerCharacteristic`, `IsClosed` | Int32, Int32, UInt8 | of its walls, as in CellSurface |
+ * | `TouchesExterior`, `TouchesBorder` | UInt8 | 1 or 0: in the image, as in Cell |
+ * | `NumberOfPieces`, `NumberOfVoxels`, `NumberOfStrayVoxels` | Int32, Int64, Int64 | in the image, as in Cell |
+ *
+ * Lengths are in the units of the image. A cell that has no walls has a row too: its `NumberOfTriangles` is 0.
+ * `check` is the result of CheckCellSurfaces for `mesh` and `cells.size()`.
+ * \throws std::invalid_argument where it is not, or as RequireConsistentIndices does. */
+inline vtkSmartPointer<vtkTable>
+MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
+{
+  std::vector<VertexId> vertices;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    vertices.push_back(static_cast<VertexId>(v));
+  }
+  vtkSmartPointer<vtkTable> table = vtkSmartPointer<vtkTable>::New();
+  bridge::AddCellStatistics(table->GetRowData(), mesh, cells, check, vertices);
+  return table;
+}
+
+/** \brief The cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
+ *
+ * Points are those of MakeWallPolyData; faces are the triangles of the cell's walls, turned outwards. Cell arrays are
+ * the columns of MakeCellTable, the field array `SPACE` is `LPS`. A cell without a triangle is left out; one that is
+ * not closed is not, and its array `IsClosed` is 0. `check` is the result of CheckCellSurfaces for `mesh` and
+ * `cells.size()`. */
+inline vtkSmartPointer<vtkUnstructuredGrid>
+MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
+{
+  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  std::vector<std::vector<vtkIdType>> trianglesOfCell(cells.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const std::array<PointId, 3> & triangle = mesh.triangles[t];
+    const VertexPair &             sides = mesh.walls[mesh.wallOfTriangle[t]].cells;
+    std::vector<vtkIdType> &       first = trianglesOfCell[sides[0]];
+    std::vector<vtkIdType> &       second = trianglesOfCell[sides[1]];
+    first.insert(first.end(), { triangle[0], triangle[1], triangle[2] });
+    second.insert(second.end(), { triangle[0], triangle[2], triangle[1] });
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  std::vector<VertexId>                vertices;
+  grid->SetPoints(bridge::MakeMeshPoints(mesh));
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    if (!trianglesOfCell[v].empty())
+    {
+      bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
+      vertices.push_back(static_cast<VertexId>(v));
+    }
+  }
+  bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, vertices);
+  bridge::AddCoordinateSystem(grid);
+  return grid;
+}
+} // namespace tissue
+
+#endif

@@ -1,0 +1,87 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Complex/LocalSpacing.h"
+
+#include "TissueTessellationCore/Common/Algorithms.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+namespace tissue
+{
+namespace
+{
+constexpr std::size_t NumberOfNearest = 8;
+
+std::vector<std::vector<VertexId>>
+CollectNeighbors(const AdjacencyComplex & complex)
+{
+  std::vector<std::vector<VertexId>> neighbors(static_cast<std::size_t>(complex.NumberOfVertices()));
+  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
+  {
+    if (edge.vertices[0] != ExteriorVertex)
+    {
+      neighbors[edge.vertices[0]].push_back(edge.vertices[1]);
+      neighbors[edge.vertices[1]].push_back(edge.vertices[0]);
+    }
+  }
+  return neighbors;
+}
+
+/** The next nearest of a Delaunay tetrahedralization is a neighbour of the vertex or of one that is nearer still: a
+ * walk along edges, always to the nearest vertex seen, meets the nearest ones in their order. */
+double
+MeanDistanceOfNearest(VertexId vertex, const std::vector<std::vector<VertexId>> & neighbors,
+                      const std::vector<Point> & centers)
+{
+  using Entry = std::pair<double, VertexId>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  std::vector<VertexId>                                          seen{ vertex };
+  const auto                                                     see = [&](VertexId from) {
+    for (const VertexId v : neighbors[from])
+    {
+      if (std::find(seen.begin(), seen.end(), v) == seen.end())
+      {
+        seen.push_back(v);
+        next.emplace(Distance(centers[vertex], centers[v]), v);
+      }
+    }
+  };
+  see(vertex);
+  double      sum = 0.0;
+  std::size_t count = 0;
+  for (; count < NumberOfNearest && !next.empty(); ++count)
+  {
+    const Entry nearest = next.top();
+    next.pop();
+    sum += nearest.first;
+    see(nearest.second);
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+} // namespace
+
+std::vector<double>
+LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers)
+{
+  const auto          neighbors = CollectNeighbors(complex);
+  std::vector<double> spacings(centers.size(), 0.0);
+  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  {
+    spacings[v] = MeanDistanceOfNearest(v, neighbors, centers);
+  }
+  return spacings;
+}
+
+double
+MedianSpacing(const std::vector<double> & spacings)
+{
+  return Median({ spacings.begin() + ExteriorVertex + 1, spacings.end() });
+}
+} // namespace tissue

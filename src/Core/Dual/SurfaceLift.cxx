@@ -1,0 +1,77 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Dual/SurfaceLift.h"
+
+#include "TissueTessellationCore/Common/Algorithms.h"
+#include "TissueTessellationCore/Complex/RelativeExterior.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+namespace tissue
+{
+namespace
+{
+/** The depths of the vertices at the exterior, of others 0. */
+std::vector<double>
+EstimateDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
+{
+  // A neighbour is below where the line to it is so steep, as a cosine.
+  constexpr double steepest = 0.3;
+
+  std::vector<std::vector<double>> heights(centers.size());
+  std::vector<std::vector<double>> distances(centers.size());
+  const auto                       add = [&](VertexId above, VertexId below) {
+    const Point  offset = centers[above] - centers[below];
+    const double height = Dot(offset, normals[above]);
+    distances[above].push_back(Norm(offset));
+    if (height > steepest * Norm(offset))
+    {
+      heights[above].push_back(height);
+    }
+  };
+  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
+  {
+    if (edge.vertices[0] != ExteriorVertex && edge.vertices[1] != ExteriorVertex)
+    {
+      add(edge.vertices[0], edge.vertices[1]);
+      add(edge.vertices[1], edge.vertices[0]);
+    }
+  }
+  std::vector<double> depths(centers.size(), 0.0);
+  for (std::size_t v = ExteriorVertex + 1; v < centers.size(); ++v)
+  {
+    const std::vector<double> & lengths = heights[v].empty() ? distances[v] : heights[v];
+    if (Norm(normals[v]) > 0.0 && !lengths.empty())
+    {
+      depths[v] = 0.5 * Median(lengths);
+    }
+  }
+  return depths;
+}
+} // namespace
+
+void
+LiftSurfaceCorners(const AdjacencyComplex & complex, const std::vector<Point> & centers, std::vector<Point> & corners)
+{
+  const RelativeExterior exterior(complex, centers);
+  std::vector<Point>     normals(centers.size(), Point{ { 0.0, 0.0, 0.0 } });
+  for (std::size_t v = ExteriorVertex + 1; v < centers.size(); ++v)
+  {
+    normals[v] = exterior.Normal(static_cast<VertexId>(v));
+  }
+  const std::vector<double>          depths = EstimateDepths(complex, centers, normals);
+  const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    const VertexQuadruple & t = tetrahedra[i];
+    if (t[0] == ExteriorVertex)
+    {
+      const double depth = (depths[t[1]] + depths[t[2]] + depths[t[3]]) / 3.0;
+      corners[i] = corners[i] + depth * Normalized(normals[t[1]] + normals[t[2]] + normals[t[3]]);
+    }
+  }
+}
+} // namespace tissue

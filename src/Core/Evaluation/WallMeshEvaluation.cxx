@@ -1,0 +1,224 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
+
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Geometry/ConvexHull.h"
+#include "TissueTessellationCore/Fitting/CrossingGuard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace tissue
+{
+namespace
+{
+/** A point and a cell at it. */
+using Incidence = std::pair<PointId, VertexId>;
+
+template <typename TValue>
+void
+SortUnique(std::vector<TValue> & values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/** Each once, by points, then by cells. */
+std::vector<Incidence>
+CollectIncidences(const WallMesh & walls, VertexId numberOfVertices)
+{
+  std::vector<Incidence> incidences;
+  for (std::size_t t = 0; t < walls.triangles.size(); ++t)
+  {
+    for (const VertexId cell : walls.walls[walls.wallOfTriangle[t]].cells)
+    {
+      if (cell < numberOfVertices)
+      {
+        for (const PointId p : walls.triangles[t])
+        {
+          incidences.emplace_back(p, cell);
+        }
+      }
+    }
+  }
+  SortUnique(incidences);
+  return incidences;
+}
+
+/** Appends each four of the cells, which are ascending. */
+void
+AppendQuadruples(const std::vector<VertexId> & cells, std::vector<VertexQuadruple> & quadruples)
+{
+  const std::size_t n = cells.size();
+  for (std::size_t a = 0; a < n; ++a)
+  {
+    for (std::size_t b = a + 1; b < n; ++b)
+    {
+      for (std::size_t c = b + 1; c < n; ++c)
+      {
+        for (std::size_t d = c + 1; d < n; ++d)
+        {
+          quadruples.push_back({ { cells[a], cells[b], cells[c], cells[d] } });
+        }
+      }
+    }
+  }
+}
+
+/** Counts the corners, and returns the quadruples at them, each once. */
+std::vector<VertexQuadruple>
+CollectQuadruples(const WallMesh & walls, VertexId numberOfVertices, WallMeshEvaluation & evaluation)
+{
+  const std::vector<Incidence> incidences = CollectIncidences(walls, numberOfVertices);
+  std::vector<VertexQuadruple> quadruples;
+  std::vector<VertexId>        cells;
+  for (auto first = incidences.begin(); first != incidences.end();)
+  {
+    cells.clear();
+    const PointId point = first->first;
+    for (; first != incidences.end() && first->first == point; ++first)
+    {
+      cells.push_back(first->second);
+    }
+    evaluation.numberOfCorners += cells.size() >= CellsAtCorner ? 1 : 0;
+    evaluation.numberOfCrowdedCorners += cells.size() > CellsAtCorner ? 1 : 0;
+    AppendQuadruples(cells, quadruples);
+  }
+  SortUnique(quadruples);
+  return quadruples;
+}
+
+std::vector<VertexPair>
+CollectPairs(const WallMesh & walls, VertexId numberOfVertices)
+{
+  std::vector<VertexPair> pairs;
+  for (const WallId wall : walls.wallOfTriangle)
+  {
+    VertexPair cells = walls.walls[wall].cells;
+    std::sort(cells.begin(), cells.end());
+    if (cells[1] < numberOfVertices)
+    {
+      pairs.push_back(cells);
+    }
+  }
+  SortUnique(pairs);
+  return pairs;
+}
+
+AdjacencyOverlap
+ComputeOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQuadruple> & quadruples,
+               const ReferenceAdjacency & reference)
+{
+  const auto commonPairs = std::count_if(
+    pairs.begin(), pairs.end(), [&](const VertexPair & pair) { return reference.HasPair(pair[0], pair[1]); });
+  const auto commonQuadruples = std::count_if(
+    quadruples.begin(), quadruples.end(), [&](const VertexQuadruple & q) { return reference.HasQuadruple(q); });
+  return { Jaccard(static_cast<std::size_t>(commonPairs), pairs.size(), reference.NumberOfPairs()),
+           Jaccard(static_cast<std::size_t>(commonQuadruples), quadruples.size(), reference.NumberOfQuadruples()) };
+}
+
+/** The points of the triangles of each cell, each once, ascending: equal ones are slow for exact predicates. */
+std::vector<std::vector<Point>>
+PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
+{
+  std::vector<std::vector<Point>> points(static_cast<std::size_t>(numberOfVertices));
+  for (std::size_t t = 0; t < walls.triangles.size(); ++t)
+  {
+    for (const VertexId cell : walls.walls[walls.wallOfTriangle[t]].cells)
+    {
+      if (cell != ExteriorVertex && cell < numberOfVertices)
+      {
+        for (const PointId p : walls.triangles[t])
+        {
+          points[cell].push_back(walls.points[p]);
+        }
+      }
+    }
+  }
+  std::for_each(points.begin(), points.end(), SortUnique<Point>);
+  return points;
+}
+
+void
+JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const ParallelFor & parallelFor,
+           WallMeshEvaluation & evaluation)
+{
+  const auto             numberOfVertices = static_cast<VertexId>(cells.size());
+  const CellSurfaceCheck check = CheckCellSurfaces(walls, numberOfVertices + 1);
+  const auto             points = PointsOfCells(walls, numberOfVertices);
+  evaluation.numberOfDegenerateTriangles = static_cast<std::size_t>(check.numberOfDegenerateTriangles);
+  evaluation.cells.resize(cells.size());
+  RunFor(parallelFor, cells.size() - 1, [&](std::size_t i) {
+    const std::size_t          v = i + 1;
+    const CellSurface &        surface = check.cells[v];
+    WallMeshEvaluation::Cell & cell = evaluation.cells[v];
+    cell.eulerCharacteristic = surface.eulerCharacteristic;
+    cell.isClosed = surface.IsClosed();
+    cell.isSphere = surface.IsSphere();
+    if (cell.isClosed)
+    {
+      cell.volumeError = std::abs(surface.volume - cells[v].volume) / cells[v].volume;
+      const double hull = ConvexHullVolume(points[v]);
+      cell.convexity = hull > 0.0 ? std::clamp(surface.volume / hull, 0.0, 1.0) : 0.0;
+    }
+  });
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    evaluation.numberOfMissingCells += check.cells[v].numberOfTriangles == 0 ? 1 : 0;
+  }
+}
+
+void
+SumUpCells(WallMeshEvaluation & evaluation)
+{
+  std::vector<double> errors;
+  double              convexity = 0.0;
+  std::size_t         withinOnePercent = 0;
+  for (const WallMeshEvaluation::Cell & cell : evaluation.cells)
+  {
+    evaluation.numberOfSpheres += cell.isSphere ? 1 : 0;
+    if (cell.isClosed)
+    {
+      errors.push_back(cell.volumeError);
+      withinOnePercent += cell.volumeError <= 0.01 ? 1 : 0;
+      convexity += cell.convexity;
+    }
+  }
+  evaluation.numberOfClosedCells = errors.size();
+  if (!errors.empty())
+  {
+    const auto n = static_cast<double>(errors.size());
+    std::sort(errors.begin(), errors.end());
+    evaluation.meanVolumeError = std::accumulate(errors.begin(), errors.end(), 0.0) / n;
+    evaluation.volumeErrorPercentile95 = errors[static_cast<std::size_t>(0.95 * (n - 1.0))];
+    evaluation.shareWithinOnePercent =
+      static_cast<double>(withinOnePercent) / static_cast<double>(evaluation.numberOfCells);
+    evaluation.meanConvexity = convexity / n;
+  }
+}
+} // namespace
+
+WallMeshEvaluation
+EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const ParallelFor & parallelFor)
+{
+  const auto         numberOfVertices = static_cast<VertexId>(junctions.cells.size());
+  WallMeshEvaluation evaluation;
+  evaluation.numberOfTriangles = walls.triangles.size();
+  evaluation.numberOfCells = junctions.cells.size() - 1;
+  JudgeCells(walls, junctions.cells, parallelFor, evaluation);
+  SumUpCells(evaluation);
+  const auto quadruples = CollectQuadruples(walls, numberOfVertices, evaluation);
+  evaluation.overlap = ComputeOverlap(CollectPairs(walls, numberOfVertices), quadruples, ReferenceAdjacency(junctions));
+  evaluation.quality = SummarizeTriangleQuality(walls);
+  evaluation.numberOfCrossings = FindCrossings(walls, parallelFor).size();
+  return evaluation;
+}
+} // namespace tissue

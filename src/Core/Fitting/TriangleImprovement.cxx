@@ -1,0 +1,184 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Fitting/TriangleImprovement.h"
+
+#include "TissueTessellationCore/Geometry/TriangleQuality.h"
+#include "TissueTessellationCore/Mesh/WallLines.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tissue
+{
+namespace
+{
+constexpr int LineSearchSteps = 5;
+/** The longest step, in lengths of the shortest edge at the point. */
+constexpr double FirstStep = 0.25;
+
+class Improvement
+{
+public:
+  explicit Improvement(WallMesh & mesh);
+
+  void
+  Sweep(const ParallelFor & parallelFor);
+
+private:
+  using Corners = std::array<Point, 3>; // of a triangle, the point first
+
+  template <typename TFunction>
+  void
+  ForEachTriangle(PointId point, TFunction function) const
+  {
+    for (std::int32_t i = m_First[point]; i < m_First[point + 1]; ++i)
+    {
+      const auto & t = m_Mesh.triangles[m_Triangles[i] / 3];
+      const int    k = m_Triangles[i] % 3;
+      function(Corners{ { m_Mesh.points[t[k]], m_Mesh.points[t[(k + 1) % 3]], m_Mesh.points[t[(k + 2) % 3]] } });
+    }
+  }
+
+  void
+  MoveWithinWall(PointId point);
+  void
+  MoveAlongLine(const WallLine & line, std::size_t i);
+  void
+  SearchAlong(PointId point, const Point & direction);
+  bool
+  TryMove(PointId point, const Point & target, double distortion);
+
+  WallMesh &                        m_Mesh;
+  std::vector<WallLine>             m_Lines;
+  std::vector<std::vector<PointId>> m_PointsWithin;
+  std::vector<std::int32_t>         m_First;
+  /** Three times the triangle, plus the point's place in it. */
+  std::vector<std::int32_t> m_Triangles;
+};
+
+Improvement::Improvement(WallMesh & mesh)
+  : m_Mesh(mesh)
+  , m_Lines(CollectWallLines(mesh))
+  , m_PointsWithin(mesh.walls.size())
+  , m_First(mesh.points.size() + 1, 0)
+  , m_Triangles(3 * mesh.triangles.size())
+{
+  for (const auto & triangle : mesh.triangles)
+  {
+    for (const PointId p : triangle)
+    {
+      ++m_First[p + 1];
+    }
+  }
+  for (std::size_t p = 1; p < m_First.size(); ++p)
+  {
+    m_First[p] += m_First[p - 1];
+  }
+  std::vector<std::int32_t> next(m_First.begin(), m_First.end() - 1);
+  for (std::size_t i = 0; i < m_Triangles.size(); ++i)
+  {
+    const PointId p = mesh.triangles[i / 3][i % 3];
+    if (next[p] == m_First[p] && mesh.numberOfCells[p] == CellsWithinWall)
+    {
+      m_PointsWithin[mesh.wallOfTriangle[i / 3]].push_back(p);
+    }
+    m_Triangles[next[p]++] = static_cast<std::int32_t>(i);
+  }
+}
+
+void
+Improvement::Sweep(const ParallelFor & parallelFor)
+{
+  RunFor(parallelFor, m_PointsWithin.size(), [this](std::size_t wall) {
+    for (const PointId p : m_PointsWithin[wall])
+    {
+      this->MoveWithinWall(p);
+    }
+  });
+  // Triangles can join points of two lines.
+  for (const WallLine & line : m_Lines)
+  {
+    for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
+    {
+      this->MoveAlongLine(line, i);
+    }
+  }
+}
+
+bool
+Improvement::TryMove(PointId point, const Point & target, double distortion)
+{
+  double moved = 0.0;
+  bool   upright = true;
+  this->ForEachTriangle(point, [&](const Corners & t) {
+    const Point before = Cross(t[1] - t[0], t[2] - t[0]);
+    const Point after = Cross(t[1] - target, t[2] - target);
+    upright = upright && Dot(before, after) > 0.0;
+    moved += TriangleDistortion(target, t[1], t[2]);
+  });
+  if (upright && moved < distortion)
+  {
+    m_Mesh.points[point] = target;
+    return true;
+  }
+  return false;
+}
+
+void
+Improvement::SearchAlong(PointId point, const Point & direction)
+{
+  double distortion = 0.0;
+  double shortest = std::numeric_limits<double>::infinity();
+  this->ForEachTriangle(point, [&](const Corners & t) {
+    distortion += TriangleDistortion(t[0], t[1], t[2]);
+    shortest = std::min({ shortest, Distance(t[0], t[1]), Distance(t[0], t[2]) });
+  });
+  double step = FirstStep * shortest;
+  for (int i = 0; i < LineSearchSteps; ++i, step *= 0.5)
+  {
+    if (this->TryMove(point, m_Mesh.points[point] + step * direction, distortion))
+    {
+      return;
+    }
+  }
+}
+
+void
+Improvement::MoveWithinWall(PointId point)
+{
+  Point gradient{ { 0.0, 0.0, 0.0 } };
+  Point normal{ { 0.0, 0.0, 0.0 } };
+  this->ForEachTriangle(point, [&](const Corners & t) {
+    gradient = gradient + TriangleDistortionGradient(t[0], t[1], t[2]);
+    normal = normal + Cross(t[1] - t[0], t[2] - t[0]);
+  });
+  normal = Normalized(normal);
+  this->SearchAlong(point, Normalized(Dot(gradient, normal) * normal - gradient));
+}
+
+void
+Improvement::MoveAlongLine(const WallLine & line, std::size_t i)
+{
+  const PointId point = line.points[i];
+  const Point   chord = Normalized(m_Mesh.points[line.points[i + 1]] - m_Mesh.points[line.points[i - 1]]);
+  Point         gradient{ { 0.0, 0.0, 0.0 } };
+  this->ForEachTriangle(point,
+                        [&](const Corners & t) { gradient = gradient + TriangleDistortionGradient(t[0], t[1], t[2]); });
+  this->SearchAlong(point, (Dot(gradient, chord) > 0.0 ? -1.0 : 1.0) * chord);
+}
+} // namespace
+
+void
+ImproveTriangles(WallMesh & mesh, int sweeps, const ParallelFor & parallelFor)
+{
+  Improvement improvement(mesh);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    improvement.Sweep(parallelFor);
+  }
+}
+} // namespace tissue

@@ -1,0 +1,291 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Fitting/WallFitting.h"
+
+#include "TissueTessellationCore/Fitting/CornerFitting.h"
+#include "TissueTessellationCore/Fitting/CrossingGuard.h"
+#include "TissueTessellationCore/Fitting/CrossingWalls.h"
+#include "TissueTessellationCore/Dual/DualMesh.h"
+#include "TissueTessellationCore/Adjacency/JunctionLookup.h"
+#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
+#include "TissueTessellationCore/Fitting/OutlineTriangulation.h"
+#include "TissueTessellationCore/Mesh/PointNumbering.h"
+#include "TissueTessellationCore/Geometry/SpatialOrder.h"
+#include "TissueTessellationCore/Mesh/SpatialWallOrder.h"
+#include "TissueTessellationCore/Fitting/TriangleImprovement.h"
+#include "TissueTessellationCore/Fitting/Untangling.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Fitting/VolumeFitting.h"
+#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
+#include "TissueTessellationCore/Fitting/WallProjection.h"
+#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace tissue
+{
+namespace
+{
+constexpr int    UntanglingSweeps = 60;
+constexpr double VolumeShare = 0.15;
+constexpr double SizeExponent = 0.25;
+/** Of the time, for the progress. */
+constexpr double StarShare = 0.1;
+constexpr int    StarRounds = 8;
+/** Rounds after the first, second and third remeshing. */
+constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
+/** At most; cells that the guard holds back get there by small steps. */
+constexpr int LastVolumeSteps = 10;
+/** Of the volumes, relative: nothing is left to do. */
+constexpr double          VolumeTolerance = 1e-9;
+const std::vector<double> GuardShares = { 0.3, 0.0 };
+const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
+
+double
+AreaOf(const WallMesh & mesh)
+{
+  double area = 0.0;
+  for (const auto & t : mesh.triangles)
+  {
+    area += TriangleArea(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  }
+  return area;
+}
+
+class Fitter
+{
+public:
+  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor,
+         const ProgressFunction & progress)
+    : m_Junctions(junctions)
+    , m_Volume(volume)
+    , m_Field(volume)
+    , m_ParallelFor(parallelFor)
+    , m_Progress(progress)
+  {
+    for (VertexId v = 0; v < junctions.NumberOfVertices(); ++v)
+    {
+      m_Volumes.push_back(junctions.CellOfVertex(v).volume);
+    }
+    m_Volumes[ExteriorVertex] = 0.0;
+  }
+
+  WallMesh
+  MakeStar(const AdjacencyComplex & complex, WallFittingStatistics & statistics)
+  {
+    std::vector<std::size_t> unfitted;
+    WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
+    const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
+    this->OrderSpatially(mesh, numberOfCorners);
+    const double triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
+    m_Faces = CollectImageFaces(m_Volume, mesh.walls);
+    // An equilateral triangle of this area has edges as long as this.
+    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
+    this->CountUnfitted(complex, unfitted, statistics);
+    statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
+    statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
+    statistics.untangledPairs -= statistics.crossingPairs;
+    m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
+    this->LiftCenters(mesh);
+    return mesh;
+  }
+
+  void
+  FitStar(WallMesh & mesh) const
+  {
+    for (int round = 0; round < StarRounds; ++round)
+    {
+      this->VolumeStep(mesh);
+    }
+  }
+
+  void
+  FitRemeshed(WallMesh & mesh, double trianglesPerCell, WallFittingStatistics & statistics)
+  {
+    const double wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
+    double       done = 0.0;
+    const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
+    Report(m_Progress, StarShare);
+    std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
+    double              area = AreaOf(mesh);
+    WallProjection      projection(mesh, m_Volume, m_Field, m_Faces, lengths, m_Anchors);
+    for (std::size_t meshing = 0; meshing < std::size(RoundsPerMeshing); ++meshing)
+    {
+      if (meshing > 0)
+      {
+        this->RemeshAgain(mesh, wanted, lengths, area);
+        projection.SetWalls(mesh, lengths);
+      }
+      for (int round = 0; round < RoundsPerMeshing[meshing]; ++round)
+      {
+        const std::vector<Point> before = mesh.points;
+        projection.Move(mesh, m_ParallelFor);
+        ImproveTriangles(mesh, 1, m_ParallelFor);
+        FitVolumes(mesh, m_Volumes, VolumeShare);
+        StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+        done += 1.0;
+        Report(m_Progress, StarShare + (1.0 - StarShare) * done / all);
+      }
+    }
+    for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
+    {
+      this->VolumeStep(mesh);
+    }
+  }
+
+  /** As those of Dualize() are, in the order of the tetrahedra. */
+  void
+  PutCornersInOrder(WallMesh & mesh) const
+  {
+    std::vector<PointId> order(mesh.points.size());
+    std::iota(order.begin(), order.end(), PointId{ 0 });
+    std::copy(m_CornerOfTetrahedron.begin(), m_CornerOfTetrahedron.end(), order.begin());
+    TakePoints(mesh, order);
+  }
+
+private:
+  void
+  OrderSpatially(WallMesh & mesh, std::size_t numberOfCorners)
+  {
+    std::vector<Point> centers;
+    for (VertexId v = 0; v < m_Junctions.NumberOfVertices(); ++v)
+    {
+      centers.push_back(m_Junctions.CellOfVertex(v).center);
+    }
+    mesh = OrderWalls(mesh, RanksInOrder(SpatialOrder(centers)));
+    const std::vector<PointId> order = PointsByTriangles(mesh);
+    TakePoints(mesh, order);
+    m_CornerOfTetrahedron.resize(numberOfCorners);
+    for (std::size_t i = 0; i < numberOfCorners; ++i)
+    {
+      m_CornerOfTetrahedron[order[i]] = static_cast<PointId>(i);
+    }
+  }
+
+  void
+  CountUnfitted(const AdjacencyComplex & complex, const std::vector<std::size_t> & corners,
+                WallFittingStatistics & statistics) const
+  {
+    const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+    statistics.unfittedCorners = static_cast<std::int64_t>(corners.size());
+    statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
+    for (const std::size_t corner : corners)
+    {
+      for (const VertexId v : tetrahedra[corner])
+      {
+        ++statistics.unfittedCornersOfCell[v];
+      }
+    }
+  }
+
+  /** Each wall's centre goes towards the centroid of the image's wall, as far as nothing crosses. */
+  void
+  LiftCenters(WallMesh & mesh) const
+  {
+    const std::vector<Point> before = mesh.points;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      const PointId center = mesh.triangles[t][0];
+      if (mesh.numberOfCells[center] != CellsWithinWall)
+      {
+        continue; // It has none.
+      }
+      if (const Wall * const wall = FindWall(m_Junctions, mesh.walls[mesh.wallOfTriangle[t]].cells))
+      {
+        mesh.points[center] = wall->center;
+      }
+    }
+    StepBackFromCrossings(mesh, before, LiftShares, m_ParallelFor);
+  }
+
+  void
+  VolumeStep(WallMesh & mesh) const
+  {
+    const std::vector<Point> before = mesh.points;
+    FitVolumes(mesh, m_Volumes, VolumeShare);
+    StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+  }
+
+  bool
+  HasItsVolumes(const WallMesh & mesh) const
+  {
+    const std::vector<double> volumes = ComputeVolumes(mesh, m_Volumes.size());
+    for (std::size_t v = 0; v < volumes.size(); ++v)
+    {
+      if (std::abs(volumes[v] - m_Volumes[v]) > VolumeTolerance * m_Volumes[v])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<double>
+  RemeshStar(WallMesh & mesh, double wanted, WallFittingStatistics & statistics) const
+  {
+    const std::vector<double> factors = EdgeLengthFactorsByCell(mesh, m_Volumes, SizeExponent);
+    WallMesh                  star = mesh;
+    const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_ParallelFor);
+    SubdivideLines(star, lengths);
+    SubdivideWalls(star, lengths, m_ParallelFor);
+    statistics.starWalls = MendCrossingWalls(mesh, star, m_ParallelFor);
+    return lengths;
+  }
+
+  /** Within the lines as they are; the walls' areas have changed, and so does the number of triangles of a length. */
+  void
+  RemeshAgain(WallMesh & mesh, double wanted, std::vector<double> & lengths, double & area) const
+  {
+    const WallMesh old = mesh;
+    const double   ratio = static_cast<double>(old.triangles.size()) / wanted;
+    const double   growth = AreaOf(mesh) / area;
+    for (double & length : lengths)
+    {
+      length *= std::sqrt(ratio * growth);
+    }
+    area = AreaOf(mesh);
+    RemeshWalls(mesh, lengths, m_ParallelFor);
+    MendCrossingWalls(mesh, old, m_ParallelFor);
+  }
+
+  const JunctionSet &      m_Junctions;
+  const LabelVolume &      m_Volume;
+  IndicatorField           m_Field;
+  const ParallelFor &      m_ParallelFor;
+  const ProgressFunction & m_Progress;
+  std::vector<double>      m_Volumes;
+  ImagePlaces              m_Faces{ 0, {} };
+  /** Where the corners are fitted and apart. */
+  std::vector<Point> m_Anchors;
+  /** The mesh's own corners are in spatial order. */
+  std::vector<PointId> m_CornerOfTetrahedron;
+};
+} // namespace
+
+WallMesh
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         double trianglesPerCell, WallFittingStatistics * statistics, const ParallelFor & parallelFor,
+         const ProgressFunction & progress)
+{
+  WallFittingStatistics   own;
+  WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
+  Fitter                  fitter(junctions, volume, parallelFor, progress);
+  WallMesh                mesh = fitter.MakeStar(complex, s);
+  if (trianglesPerCell > 0.0)
+  {
+    fitter.FitRemeshed(mesh, trianglesPerCell, s);
+  }
+  else
+  {
+    fitter.FitStar(mesh);
+  }
+  fitter.PutCornersInOrder(mesh);
+  s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, parallelFor).size());
+  return mesh;
+}
+} // namespace tissue

@@ -1,0 +1,208 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Fitting/WallProjection.h"
+
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace tissue
+{
+namespace
+{
+/** The spline's support, beyond which the cells' indicators tell nothing. */
+constexpr double      Reach = 3.0;
+constexpr double      CornerShare = 0.5;
+constexpr std::size_t GroupsPerTask = 64;
+
+/** The places of the image that are nearer to a point than to the others of its group. */
+struct NearPlaces
+{
+  Point        sum{ { 0.0, 0.0, 0.0 } };
+  double       distance = 0.0;
+  std::int64_t count = 0;
+};
+
+Point
+ToPoint(const ImagePlaces::Place & place)
+{
+  return { { place[0], place[1], place[2] } };
+}
+
+std::vector<NearPlaces>
+Assign(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const std::vector<PointId> & group,
+       const std::vector<Point> & points)
+{
+  std::vector<NearPlaces> near(group.size());
+  for (const ImagePlaces::Place * at = begin; at != end; ++at)
+  {
+    const Point place = ToPoint(*at);
+    double      least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      const Point  v = place - points[group[i]];
+      const double squared = Dot(v, v);
+      if (squared < least)
+      {
+        least = squared;
+        nearest = i;
+      }
+    }
+    near[nearest].sum = near[nearest].sum + place;
+    near[nearest].distance += std::sqrt(least);
+    ++near[nearest].count;
+  }
+  return near;
+}
+
+Point
+Nearest(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const Point & p)
+{
+  return ToPoint(*std::min_element(begin, end, [&p](const ImagePlaces::Place & a, const ImagePlaces::Place & b) {
+    return Distance(ToPoint(a), p) < Distance(ToPoint(b), p);
+  }));
+}
+
+/** The cells at each point of a line. */
+std::map<PointId, VertexTriple>
+CellsOfLinePoints(const WallMesh & mesh)
+{
+  std::map<PointId, VertexTriple> cellsOf;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
+    {
+      if (mesh.numberOfCells[p] == CellsOnLine)
+      {
+        VertexTriple & cells = cellsOf.emplace(p, VertexTriple{ { -1, -1, -1 } }).first->second;
+        for (const VertexId v : mesh.walls[mesh.wallOfTriangle[t]].cells)
+        {
+          if (std::find(cells.begin(), cells.end(), v) == cells.end())
+          {
+            *std::find(cells.begin(), cells.end(), -1) = v;
+          }
+        }
+      }
+    }
+  }
+  for (auto & [p, cells] : cellsOf)
+  {
+    std::sort(cells.begin(), cells.end());
+  }
+  return cellsOf;
+}
+} // namespace
+
+WallProjection::WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
+                               const ImagePlaces & faces, const std::vector<double> & edgeLengths,
+                               const std::vector<Point> & corners)
+  : m_Field(field)
+  , m_Faces(faces)
+  , m_Corners(corners)
+  , m_LinePlaces(0, {})
+{
+  this->CollectLines(mesh, volume);
+  this->SetWalls(mesh, edgeLengths);
+}
+
+void
+WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
+{
+  std::map<VertexTriple, std::vector<PointId>> pointsOf;
+  for (const auto & [p, cells] : CellsOfLinePoints(mesh))
+  {
+    pointsOf[cells].push_back(p);
+  }
+  std::vector<VertexTriple> lines;
+  for (const auto & line : pointsOf)
+  {
+    lines.push_back(line.first);
+  }
+  m_LinePlaces = CollectImageLines(volume, lines);
+  for (std::size_t l = 0; l < lines.size(); ++l)
+  {
+    const VertexTriple & c = lines[l];
+    m_Lines.push_back(
+      { { { c[0], c[1], c[2], -1 } }, 3, 0.0, pointsOf[c], m_LinePlaces.Begin(l), m_LinePlaces.End(l) });
+  }
+  // As the mesh's points are, so that what is near in the tissue is near in memory.
+  std::sort(m_Lines.begin(), m_Lines.end(), [](const Group & a, const Group & b) {
+    return a.points.front() < b.points.front();
+  });
+}
+
+void
+WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  std::map<VertexPair, double> lengthOf;
+  m_Groups.assign(mesh.walls.size(), {});
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    VertexPair cells = mesh.walls[w].cells;
+    m_Groups[w] = { { { cells[0], cells[1], -1, -1 } }, 2, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w) };
+    std::sort(cells.begin(), cells.end());
+    lengthOf[cells] = edgeLengths[w];
+  }
+  std::vector<unsigned char> isDone(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
+    {
+      if (mesh.numberOfCells[p] == CellsWithinWall && isDone[p] == 0)
+      {
+        isDone[p] = 1;
+        m_Groups[mesh.wallOfTriangle[t]].points.push_back(p);
+      }
+    }
+  }
+  for (Group & line : m_Lines)
+  {
+    const VertexQuadruple & c = line.cells;
+    line.edgeLength =
+      std::min({ lengthOf[{ { c[0], c[1] } }], lengthOf[{ { c[0], c[2] } }], lengthOf[{ { c[1], c[2] } }] });
+    m_Groups.push_back(line);
+  }
+}
+
+void
+WallProjection::Move(WallMesh & mesh, const ParallelFor & parallelFor) const
+{
+  for (std::size_t p = 0; p < m_Corners.size(); ++p)
+  {
+    mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
+  }
+  RunFor(parallelFor, (m_Groups.size() + GroupsPerTask - 1) / GroupsPerTask, [&](std::size_t task) {
+    for (std::size_t g = task * GroupsPerTask; g < std::min(m_Groups.size(), (task + 1) * GroupsPerTask); ++g)
+    {
+      this->MoveGroup(m_Groups[g], mesh);
+    }
+  });
+}
+
+void
+WallProjection::MoveGroup(const Group & group, WallMesh & mesh) const
+{
+  if (group.begin == group.end || group.points.empty())
+  {
+    return;
+  }
+  const std::vector<NearPlaces> near = Assign(group.begin, group.end, group.points, mesh.points);
+  for (std::size_t i = 0; i < group.points.size(); ++i)
+  {
+    Point &    p = mesh.points[group.points[i]];
+    const auto count = static_cast<double>(near[i].count);
+    const bool isFar = near[i].count > 0 && near[i].distance > count * group.edgeLength;
+    if (isFar || !m_Field.Project(p, group.cells, group.numberOfCells, Reach))
+    {
+      p = near[i].count > 0 ? (1.0 / count) * near[i].sum : Nearest(group.begin, group.end, p);
+    }
+  }
+}
+} // namespace tissue

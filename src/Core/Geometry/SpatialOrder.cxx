@@ -1,0 +1,108 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Geometry/SpatialOrder.h"
+
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+
+#include <numeric>
+
+namespace tissue
+{
+namespace
+{
+/** The point farthest from the origin by what is left of it; {0, 0, 0} of none. */
+template <typename TRest>
+Point
+FindFarthest(const std::vector<Point> & points, const TRest & rest)
+{
+  Point  farthest{ { 0.0, 0.0, 0.0 } };
+  double largest = 0.0;
+  for (const Point & point : points)
+  {
+    const Point  left = rest(point);
+    const double squared = Dot(left, left);
+    if (squared > largest)
+    {
+      largest = squared;
+      farthest = left;
+    }
+  }
+  return farthest;
+}
+
+/** The points in axes that turn with them: their mean, the one farthest from it, the one farthest from that line. */
+std::vector<Point>
+InOwnFrame(std::vector<Point> points)
+{
+  Point sum{ { 0.0, 0.0, 0.0 } };
+  for (const Point & point : points)
+  {
+    sum = sum + point;
+  }
+  const Point mean = (1.0 / static_cast<double>(points.size())) * sum;
+  for (Point & point : points)
+  {
+    point = point - mean;
+  }
+  const Point u = Normalized(FindFarthest(points, [](const Point & p) { return p; }));
+  const Point v = Normalized(FindFarthest(points, [&u](const Point & p) { return p - Dot(p, u) * u; }));
+  const Point across = Cross(u, v);
+  // Of a mirror image, too.
+  const Point w = Normalized(FindFarthest(points, [&across](const Point & p) { return Dot(p, across) * across; }));
+  for (Point & point : points)
+  {
+    point = { { Dot(point, u), Dot(point, v), Dot(point, w) } };
+  }
+  return points;
+}
+} // namespace
+
+std::vector<VertexId>
+SpatialOrder(const std::vector<Point> & centers)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  if (centers.size() < 2)
+  {
+    return std::vector<VertexId>(centers.size(), ExteriorVertex);
+  }
+  std::vector<Kernel::Point_3> points{ Kernel::Point_3(0.0, 0.0, 0.0) }; // the exterior is nowhere
+  points.reserve(centers.size());
+  for (const Point & p : InOwnFrame({ centers.begin() + 1, centers.end() }))
+  {
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  const auto positions = CGAL::make_property_map(points);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(CGAL::make_property_map(points))>;
+
+  std::vector<std::size_t> indices(centers.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{ 0 });
+  CGAL::hilbert_sort(indices.begin() + 1, indices.end(), Traits(positions));
+  std::vector<VertexId> order;
+  order.reserve(indices.size());
+  for (const std::size_t i : indices)
+  {
+    order.push_back(static_cast<VertexId>(i));
+  }
+  return order;
+}
+
+std::vector<VertexId>
+RanksInOrder(const std::vector<VertexId> & order)
+{
+  std::vector<VertexId> ranks(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ranks[order[i]] = static_cast<VertexId>(i);
+  }
+  return ranks;
+}
+} // namespace tissue

@@ -1,0 +1,166 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Geometry/TriangleCrossing.h"
+
+#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace
+{
+using Triangle = std::array<PointId, 3>;
+
+/** Orientation(), by floating-point numbers where their rounding cannot change the sign
+ * (J. R. Shewchuk, Adaptive precision floating-point arithmetic, 1997, doi:10.1007/PL00009321). */
+int
+FilteredOrientation(const Point & a, const Point & b, const Point & c, const Point & d)
+{
+  constexpr double bound = 1e-15;
+  const Point      u = a - d;
+  const Point      v = b - d;
+  const Point      w = c - d;
+  const double     vw[3] = { v[1] * w[2], v[2] * w[0], v[0] * w[1] };
+  const double     wv[3] = { v[2] * w[1], v[0] * w[2], v[1] * w[0] };
+  double           determinant = 0.0;
+  double           permanent = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    determinant += u[i] * (vw[i] - wv[i]);
+    permanent += std::abs(u[i]) * (std::abs(vw[i]) + std::abs(wv[i]));
+  }
+  if (std::abs(determinant) > bound * permanent)
+  {
+    return determinant > 0.0 ? -1 : 1;
+  }
+  return Orientation(a, b, c, d);
+}
+
+/** The triangle turned so that the point of this position comes first. */
+std::array<Point, 3>
+TurnedTo(const std::vector<Point> & points, const Triangle & t, int position)
+{
+  constexpr int next[3] = { 1, 2, 0 };
+  const int     second = next[position];
+  return { { points[t[position]], points[t[second]], points[t[next[second]]] } };
+}
+
+/** Whether all points of a triangle from the given one on are on one side of the plane of another. */
+bool
+IsBeside(const std::array<Point, 3> & triangle, int from, const std::array<Point, 3> & plane)
+{
+  const int side = FilteredOrientation(plane[0], plane[1], plane[2], triangle[from]);
+  for (int i = from + 1; side != 0 && i < 3; ++i)
+  {
+    if (FilteredOrientation(plane[0], plane[1], plane[2], triangle[i]) != side)
+    {
+      return false;
+    }
+  }
+  return side != 0;
+}
+
+/** Whether the line through the i-th edge of a triangle passes the other; if not, the edges may meet it or not. */
+bool
+EdgePasses(const std::array<Point, 3> & edges, int i, const std::array<Point, 3> & other)
+{
+  const Point & p = edges[i];
+  const Point & q = edges[i < 2 ? i + 1 : 0];
+  const int     first = FilteredOrientation(p, q, other[0], other[1]);
+  const int     second = FilteredOrientation(p, q, other[1], other[2]);
+  return first * second < 0 ||
+         (first + second != 0 && (first + second > 0 ? 1 : -1) == -FilteredOrientation(p, q, other[2], other[0]));
+}
+
+/** Whether the edge opposite to a triangle's first point, which both share, meets the other triangle. */
+bool
+OppositeEdgeMeets(const std::array<Point, 3> & t, const std::array<Point, 3> & other)
+{
+  const std::array<Point, 3> edge{ { t[1], t[2], t[2] } };
+  if (EdgePasses(t, 1, other) || !TrianglesMeet(edge, other))
+  {
+    return false;
+  }
+  // Where all is on one line the shared point can be on that edge.
+  const auto isCommon = [&](const Point & p) { return p != t[0] && TrianglesMeet({ { p, p, p } }, other); };
+  return !TrianglesMeet(edge, { { t[0], t[0], t[0] } }) || isCommon(t[1]) || isCommon(t[2]);
+}
+
+/** Whether triangles without a shared point meet. */
+bool
+SeparateTrianglesMeet(const std::array<Point, 3> & s, const std::array<Point, 3> & t)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!EdgePasses(s, i, t) || !EdgePasses(t, i, s))
+    {
+      return TrianglesMeet(s, t);
+    }
+  }
+  return false;
+}
+
+/** Whether triangles that share the edge (a, b) lie on each other, with c and d opposite to it. */
+bool
+AreFolded(const Point & a, const Point & b, const Point & c, const Point & d)
+{
+  // Most are far from it: the product of their normals, with more than its rounding, is negative.
+  constexpr double bound = 1e-14;
+  const Point      edge = b - a;
+  const Point      u = c - a;
+  const Point      v = d - a;
+  const double     product = Dot(Cross(edge, u), Cross(edge, v));
+  if (product < -bound * Dot(edge, edge) * Norm(u) * Norm(v))
+  {
+    return false;
+  }
+  return FilteredOrientation(a, b, c, d) == 0 && AreOnOneSide(a, b, c, d);
+}
+} // namespace
+
+bool
+TrianglesCross(const std::vector<Point> & points, const Triangle & first, const Triangle & second)
+{
+  PointId shared[3] = { -1, -1, -1 };
+  int     numberShared = 0;
+  int     inFirst = 0;
+  int     inSecond = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (first[i] == second[j] && first[i] != shared[0] && first[i] != shared[1])
+      {
+        shared[numberShared++] = first[i];
+        inFirst = i;
+        inSecond = j;
+      }
+    }
+  }
+  if (numberShared == 3)
+  {
+    return true;
+  }
+  if (numberShared == 2)
+  {
+    const auto apex = [&](const Triangle & t) {
+      const auto at = std::find_if(t.begin(), t.end(), [&](PointId p) { return p != shared[0] && p != shared[1]; });
+      return points[at != t.end() ? *at : shared[0]]; // a point may be there twice
+    };
+    return AreFolded(points[shared[0]], points[shared[1]], apex(first), apex(second));
+  }
+  const auto s = TurnedTo(points, first, inFirst);
+  const auto t = TurnedTo(points, second, inSecond);
+  if (IsBeside(t, numberShared, s) || IsBeside(s, numberShared, t))
+  {
+    return false;
+  }
+  return numberShared == 1 ? OppositeEdgeMeets(s, t) || OppositeEdgeMeets(t, s) : SeparateTrianglesMeet(s, t);
+}
+} // namespace tissue

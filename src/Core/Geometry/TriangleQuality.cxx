@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Geometry/TriangleQuality.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tissue
+{
+namespace
+{
+double
+SumOfSquares(const Point & a, const Point & b, const Point & c)
+{
+  const Point ab = b - a;
+  const Point bc = c - b;
+  const Point ca = a - c;
+  return Dot(ab, ab) + Dot(bc, bc) + Dot(ca, ca);
+}
+} // namespace
+
+double
+TriangleQuality(const Point & a, const Point & b, const Point & c)
+{
+  const double squares = SumOfSquares(a, b, c);
+  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * Norm(Cross(b - a, c - a)) / squares : 0.0;
+}
+
+Point
+TriangleDistortionGradient(const Point & a, const Point & b, const Point & c)
+{
+  const double squares = SumOfSquares(a, b, c);
+  const Point  normal = Cross(b - a, c - a);
+  const double area = Dot(normal, normal);
+  const Point  ofSquares = 2.0 * ((a - b) + (a - c));
+  const Point  ofArea = 2.0 * Cross(normal, c - b);
+  return (squares / (6.0 * area)) * ofSquares - (squares * squares / (12.0 * area * area)) * ofArea;
+}
+
+QualitySummary
+SummarizeTriangleQuality(const WallMesh & mesh)
+{
+  QualitySummary      summary;
+  std::vector<double> qualities;
+  qualities.reserve(mesh.triangles.size());
+  for (const auto & t : mesh.triangles)
+  {
+    qualities.push_back(TriangleQuality(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+  }
+  if (!qualities.empty())
+  {
+    std::sort(qualities.begin(), qualities.end());
+    summary.mean = std::accumulate(qualities.begin(), qualities.end(), 0.0) / static_cast<double>(qualities.size());
+    summary.fifthPercentile = qualities[qualities.size() / 20];
+    summary.least = qualities.front();
+  }
+  return summary;
+}
+} // namespace tissue

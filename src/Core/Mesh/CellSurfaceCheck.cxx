@@ -1,0 +1,316 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Mesh/WallMeshIndices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tissue
+{
+namespace
+{
+constexpr std::size_t maximalCellsAtPoint = 4;
+constexpr double      degenerateAreaRatio = 1e-12;
+
+/** Item numbers 0, 1, ... grouped by an integer key, in linear time and in ascending order within a group. */
+class Groups
+{
+public:
+  template <typename TKeyOf>
+  void
+  Assign(std::size_t numberOfItems, std::size_t numberOfKeys, const TKeyOf & keyOf)
+  {
+    m_Begin.assign(numberOfKeys + 1, 0);
+    m_Items.resize(numberOfItems);
+    for (std::size_t i = 0; i < numberOfItems; ++i)
+    {
+      ++m_Begin[keyOf(i)];
+    }
+    // Sums up to each group's end; filled backwards, they come to stand at its begin.
+    std::partial_sum(m_Begin.begin(), m_Begin.end(), m_Begin.begin());
+    for (std::size_t i = numberOfItems; i-- > 0;)
+    {
+      m_Items[--m_Begin[keyOf(i)]] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  std::uint32_t *
+  Begin(std::size_t key)
+  {
+    return m_Items.data() + m_Begin[key];
+  }
+
+  std::uint32_t *
+  End(std::size_t key)
+  {
+    return m_Items.data() + m_Begin[key + 1];
+  }
+
+private:
+  std::vector<std::uint32_t> m_Begin;
+  std::vector<std::uint32_t> m_Items;
+};
+
+Point
+Difference(const Point & a, const Point & b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+Point
+Cross(const Point & a, const Point & b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+double
+Dot(const Point & a, const Point & b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double
+TriangleArea(const Point & a, const Point & b, const Point & c)
+{
+  const Point normal = Cross(Difference(b, a), Difference(c, a));
+  return 0.5 * std::sqrt(Dot(normal, normal));
+}
+
+bool
+IsDegenerate(const WallMesh & mesh, const std::array<PointId, 3> & triangle)
+{
+  const Point & a = mesh.points[triangle[0]];
+  const Point & b = mesh.points[triangle[1]];
+  const Point & c = mesh.points[triangle[2]];
+  const auto    squaredLength = [](const Point & p, const Point & q) {
+    const Point edge = Difference(p, q);
+    return Dot(edge, edge);
+  };
+  const double longest = std::max({ squaredLength(a, b), squaredLength(b, c), squaredLength(c, a) });
+  // Negated, so that a point that is not a number is found as well.
+  return !(TriangleArea(a, b, c) > degenerateAreaRatio * longest);
+}
+
+/** Measures the cells of a mesh one after the other; its buffers are kept from cell to cell. */
+class CellSurfaceMeter
+{
+public:
+  CellSurfaceMeter(const WallMesh & mesh, VertexId numberOfVertices)
+    : m_Mesh(mesh)
+    , m_CellOfPoint(mesh.points.size(), ExteriorVertex)
+    , m_LocalIndex(mesh.points.size())
+    , m_CellOfWall(mesh.walls.size(), ExteriorVertex)
+  {
+    // Item 2 t + s is the side of triangle t that is turned to the wall's cell s.
+    m_SidesOfCell.Assign(2 * mesh.triangles.size(), numberOfVertices, [&mesh](std::size_t side) {
+      return mesh.walls[mesh.wallOfTriangle[side / 2]].cells[side % 2];
+    });
+  }
+
+  CellSurface
+  Measure(VertexId cell)
+  {
+    CellSurface surface;
+    this->GatherTriangles(cell, surface);
+    const std::int64_t numberOfEdges = this->ClassifyEdges(surface);
+    surface.eulerCharacteristic =
+      static_cast<std::int32_t>(m_NumberOfPoints - numberOfEdges + surface.numberOfTriangles);
+    return surface;
+  }
+
+private:
+  using LocalTriangle = std::array<std::uint32_t, 3>;
+
+  /** Triangles of the cell, turned outwards, by local point numbers; their sums. */
+  void
+  GatherTriangles(VertexId cell, CellSurface & surface)
+  {
+    m_NumberOfPoints = 0;
+    m_Triangles.clear();
+    double     sixfoldVolume = 0.0;
+    const auto sidesEnd = m_SidesOfCell.End(cell);
+    for (auto side = m_SidesOfCell.Begin(cell); side != sidesEnd; ++side)
+    {
+      std::array<PointId, 3> triangle = m_Mesh.triangles[*side / 2];
+      if (*side % 2 == 1)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+      const WallId wall = m_Mesh.wallOfTriangle[*side / 2];
+      surface.numberOfWalls += m_CellOfWall[wall] == cell ? 0 : 1;
+      m_CellOfWall[wall] = cell;
+      m_Triangles.push_back({ { this->Localize(triangle[0], cell),
+                                this->Localize(triangle[1], cell),
+                                this->Localize(triangle[2], cell) } });
+
+      // Volumes are taken from a point of the cell: from the origin they would be differences of large numbers.
+      const Point & origin = m_Mesh.points[m_Origin];
+      const Point & a = m_Mesh.points[triangle[0]];
+      const Point & b = m_Mesh.points[triangle[1]];
+      const Point & c = m_Mesh.points[triangle[2]];
+      surface.area += TriangleArea(a, b, c);
+      sixfoldVolume += Dot(Difference(a, origin), Cross(Difference(b, origin), Difference(c, origin)));
+    }
+    surface.volume = sixfoldVolume / 6.0;
+    surface.numberOfTriangles = static_cast<std::int32_t>(m_Triangles.size());
+  }
+
+  std::uint32_t
+  Localize(PointId point, VertexId cell)
+  {
+    if (m_CellOfPoint[point] != cell)
+    {
+      m_Origin = m_NumberOfPoints == 0 ? point : m_Origin;
+      m_CellOfPoint[point] = cell;
+      m_LocalIndex[point] = m_NumberOfPoints++;
+    }
+    return m_LocalIndex[point];
+  }
+
+  std::uint32_t
+  FromPoint(std::uint32_t halfEdge) const
+  {
+    return m_Triangles[halfEdge / 3][halfEdge % 3];
+  }
+
+  std::uint32_t
+  ToPoint(std::uint32_t halfEdge) const
+  {
+    return m_Triangles[halfEdge / 3][(halfEdge + 1) % 3];
+  }
+
+  /** Counts the faults of the edges and the components; returns the number of edges. */
+  std::int64_t
+  ClassifyEdges(CellSurface & surface)
+  {
+    m_HalfEdgesOfPoint.Assign(3 * m_Triangles.size(), m_NumberOfPoints, [this](std::size_t halfEdge) {
+      return std::min(this->FromPoint(halfEdge), this->ToPoint(halfEdge));
+    });
+    m_Parent.resize(m_Triangles.size());
+    std::iota(m_Parent.begin(), m_Parent.end(), 0);
+    surface.numberOfComponents = surface.numberOfTriangles;
+
+    const auto upperPoint = [this](std::uint32_t halfEdge) {
+      return std::max(this->FromPoint(halfEdge), this->ToPoint(halfEdge));
+    };
+    std::int64_t numberOfEdges = 0;
+    for (std::uint32_t point = 0; point < m_NumberOfPoints; ++point)
+    {
+      const auto end = m_HalfEdgesOfPoint.End(point);
+      auto       first = m_HalfEdgesOfPoint.Begin(point);
+      std::sort(first, end, [&](std::uint32_t a, std::uint32_t b) { return upperPoint(a) < upperPoint(b); });
+      while (first != end)
+      {
+        auto last = first + 1;
+        for (; last != end && upperPoint(*last) == upperPoint(*first); ++last)
+        {
+          surface.numberOfComponents -= this->Join(*first / 3, *last / 3) ? 1 : 0;
+        }
+        surface.numberOfOpenEdges += last - first == 1 ? 1 : 0;
+        surface.numberOfCrowdedEdges += last - first > 2 ? 1 : 0;
+        surface.numberOfMisorientedEdges +=
+          last - first == 2 && this->FromPoint(first[0]) == this->FromPoint(first[1]) ? 1 : 0;
+        ++numberOfEdges;
+        first = last;
+      }
+    }
+    return numberOfEdges;
+  }
+
+  std::uint32_t
+  Root(std::uint32_t triangle)
+  {
+    while (m_Parent[triangle] != triangle)
+    {
+      triangle = m_Parent[triangle] = m_Parent[m_Parent[triangle]];
+    }
+    return triangle;
+  }
+
+  /** True where the two triangles were not in one component. */
+  bool
+  Join(std::uint32_t a, std::uint32_t b)
+  {
+    a = this->Root(a);
+    b = this->Root(b);
+    m_Parent[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+  const WallMesh &           m_Mesh;
+  Groups                     m_SidesOfCell;
+  std::vector<VertexId>      m_CellOfPoint;
+  std::vector<std::uint32_t> m_LocalIndex;
+  std::vector<VertexId>      m_CellOfWall;
+  Groups                     m_HalfEdgesOfPoint;
+  std::vector<LocalTriangle> m_Triangles;
+  std::vector<std::uint32_t> m_Parent;
+  std::uint32_t              m_NumberOfPoints = 0;
+  PointId                    m_Origin = 0;
+};
+
+/** How many cells meet at each point, by the triangles. */
+void
+CheckPoints(const WallMesh & mesh, CellSurfaceCheck & check)
+{
+  Groups corners;
+  corners.Assign(3 * mesh.triangles.size(), mesh.points.size(), [&mesh](std::size_t corner) {
+    return mesh.triangles[corner / 3][corner % 3];
+  });
+  std::vector<VertexId> cells;
+  for (std::size_t point = 0; point < mesh.points.size(); ++point)
+  {
+    cells.clear();
+    const auto cornersEnd = corners.End(point);
+    for (auto corner = corners.Begin(point); corner != cornersEnd; ++corner)
+    {
+      for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[*corner / 3]].cells)
+      {
+        if (std::find(cells.begin(), cells.end(), cell) == cells.end())
+        {
+          cells.push_back(cell);
+        }
+      }
+    }
+    if (cells.size() > maximalCellsAtPoint)
+    {
+      check.crowdedPoints.push_back(static_cast<PointId>(point));
+    }
+    const bool isMiscounted = !mesh.numberOfCells.empty() && mesh.numberOfCells[point] != cells.size();
+    check.numberOfMiscountedPoints += isMiscounted ? 1 : 0;
+    check.numberOfUnusedPoints += cells.empty() ? 1 : 0;
+  }
+}
+} // namespace
+
+CellSurfaceCheck
+CheckCellSurfaces(const WallMesh & mesh, VertexId numberOfVertices)
+{
+  RequireConsistentIndices(mesh, numberOfVertices);
+  CellSurfaceCheck check;
+  check.cells.resize(numberOfVertices);
+  CellSurfaceMeter meter(mesh, numberOfVertices);
+  for (VertexId cell = ExteriorVertex + 1; cell < numberOfVertices; ++cell)
+  {
+    check.cells[cell] = meter.Measure(cell);
+    if (check.cells[cell].numberOfTriangles == 0)
+    {
+      check.cellsWithoutTriangles.push_back(cell);
+    }
+    else if (!check.cells[cell].IsSphere())
+    {
+      check.cellsThatAreNoSphere.push_back(cell);
+    }
+  }
+  CheckPoints(mesh, check);
+  check.numberOfDegenerateTriangles = std::count_if(
+    mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto & t) { return IsDegenerate(mesh, t); });
+  return check;
+}
+} // namespace tissue

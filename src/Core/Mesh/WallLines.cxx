@@ -1,0 +1,155 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Mesh/WallLines.h"
+
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tissue
+{
+namespace
+{
+/** A line's edge, once in each direction. */
+struct LineEdge
+{
+  PointId               from;
+  PointId               to;
+  std::array<WallId, 3> walls;
+};
+
+/** Sorted by `from`, then by `to`. */
+std::vector<LineEdge>
+CollectLineEdges(const WallMesh & mesh)
+{
+  using Side = std::array<std::int32_t, 3>; // the points ascending, the wall
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const PointId a = mesh.triangles[t][i];
+      const PointId b = mesh.triangles[t][(i + 1) % 3];
+      if (mesh.numberOfCells[a] >= CellsOnLine && mesh.numberOfCells[b] >= CellsOnLine)
+      {
+        sides.push_back({ { std::min(a, b), std::max(a, b), mesh.wallOfTriangle[t] } });
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<LineEdge> edges;
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+  {
+    // An edge from one side of a wall's outline to another is in two triangles, both of that wall.
+    if (sides[i][0] == sides[i + 2][0] && sides[i][1] == sides[i + 2][1])
+    {
+      const std::array<WallId, 3> walls{ { sides[i][2], sides[i + 1][2], sides[i + 2][2] } };
+      edges.push_back({ sides[i][0], sides[i][1], walls });
+      edges.push_back({ sides[i][1], sides[i][0], walls });
+      i += 2;
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const LineEdge & a, const LineEdge & b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  return edges;
+}
+} // namespace
+
+std::vector<WallLine>
+CollectWallLines(const WallMesh & mesh)
+{
+  const std::vector<LineEdge> edges = CollectLineEdges(mesh);
+  // The next edge along the line; the end of the line has more than one to follow, or none.
+  const auto follow = [&edges](const LineEdge & edge) {
+    auto next = std::lower_bound(
+      edges.begin(), edges.end(), edge.to, [](const LineEdge & e, PointId point) { return e.from < point; });
+    return next->to == edge.from ? next + 1 : next;
+  };
+  std::vector<WallLine> lines;
+  for (const LineEdge & first : edges)
+  {
+    if (mesh.numberOfCells[first.from] < CellsAtCorner)
+    {
+      continue;
+    }
+    WallLine line;
+    line.walls = first.walls;
+    line.points = { first.from, first.to };
+    for (const LineEdge * edge = &first; mesh.numberOfCells[edge->to] == CellsOnLine;)
+    {
+      edge = &*follow(*edge);
+      line.points.push_back(edge->to);
+    }
+    if (line.points.front() < line.points.back())
+    {
+      lines.push_back(std::move(line));
+    }
+  }
+  std::sort(lines.begin(), lines.end(), [](const WallLine & a, const WallLine & b) {
+    return std::make_tuple(a.points.front(), a.points.back(), a.walls) <
+           std::make_tuple(b.points.front(), b.points.back(), b.walls);
+  });
+  return lines;
+}
+
+double
+LengthOf(const WallLine & line, const std::vector<Point> & points)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i)
+  {
+    length += Distance(points[line.points[i - 1]], points[line.points[i]]);
+  }
+  return length;
+}
+
+WallsAtPoints::WallsAtPoints(const WallMesh & mesh)
+  : m_First(mesh.points.size() + 1)
+{
+  std::vector<std::array<std::int32_t, 2>> incidences;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const PointId p : mesh.triangles[t])
+    {
+      if (mesh.numberOfCells[p] >= CellsOnLine)
+      {
+        incidences.push_back({ { p, mesh.wallOfTriangle[t] } });
+      }
+    }
+  }
+  std::sort(incidences.begin(), incidences.end());
+  incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
+  m_Walls.reserve(incidences.size());
+  for (const auto & incidence : incidences)
+  {
+    ++m_First[incidence[0] + 1];
+    m_Walls.push_back(incidence[1]);
+  }
+  for (std::size_t p = 1; p < m_First.size(); ++p)
+  {
+    m_First[p] += m_First[p - 1];
+  }
+}
+
+int
+WallsAtPoints::CountCommon(PointId a, PointId b) const
+{
+  int          count = 0;
+  std::int32_t i = m_First[a];
+  std::int32_t k = m_First[b];
+  while (i < m_First[a + 1] && k < m_First[b + 1])
+  {
+    count += m_Walls[i] == m_Walls[k] ? 1 : 0;
+    const bool advance = m_Walls[i] <= m_Walls[k];
+    k += m_Walls[k] <= m_Walls[i] ? 1 : 0;
+    i += advance ? 1 : 0;
+  }
+  return count;
+}
+} // namespace tissue

@@ -1,0 +1,67 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Optimization/FocusedAnnealing.h"
+
+namespace tissue
+{
+namespace
+{
+/** A complex whose energy, below 0, is above this share of the best one's has melted: where a start is wrong nearly
+ * everywhere, a high temperature has nothing to hold on to, and the next round would start from chaos. */
+constexpr double MeltedShare = 0.8;
+
+std::vector<TetrahedronId>
+ListTetrahedra(const AdjacencyComplex & complex)
+{
+  std::vector<TetrahedronId> list;
+  for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+  {
+    if (complex.IsAlive(id))
+    {
+      list.push_back(id);
+    }
+  }
+  return list;
+}
+} // namespace
+
+void
+AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & parameters, double oneQuadruple,
+                 const ProgressFunction & progress)
+{
+  AdjacencyComplex best = state.complex;
+  double           bestEnergy = state.energy.Total();
+  const Cooling    cooling{ parameters.initialTemperature, parameters.finalTemperature, parameters.numberOfRounds };
+  for (int round = 0; round < parameters.numberOfRounds; ++round)
+  {
+    const double temperature = oneQuadruple * cooling.Temperature(round);
+    Report(progress, static_cast<double>(round) / parameters.numberOfRounds);
+    const std::vector<TetrahedronId> list = state.WrongAndNeighbors(ListTetrahedra(state.complex));
+    const std::size_t numberOfProposals = list.size() * static_cast<std::size_t>(parameters.proposalsPerTetrahedron);
+    for (std::size_t i = 0; i < numberOfProposals; ++i)
+    {
+      const TetrahedronId id = list[state.random.Index(list.size())];
+      if (state.complex.IsAlive(id))
+      {
+        state.Try(state.ProposeAt(id, parameters.maximumDegree), temperature);
+      }
+    }
+    if (state.energy.Total() < bestEnergy)
+    {
+      best = state.complex;
+      bestEnergy = state.energy.Total();
+    }
+    else if (parameters.returnsFromMelting && bestEnergy < 0.0 && state.energy.Total() > MeltedShare * bestEnergy)
+    {
+      state.complex = best;
+      state.energy.Recompute();
+    }
+  }
+  state.complex = best;
+  state.energy.Recompute();
+}
+} // namespace tissue

@@ -1,0 +1,203 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Points/TissueSurface.h"
+
+#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
+#include "TissueTessellationCore/Complex/LocalSpacing.h"
+#include "TissueTessellationCore/Common/Algorithms.h"
+#include "TissueTessellationCore/Points/MirroredCenters.h"
+#include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace
+{
+/** Lengths in units of the local spacing: of a surface triangle's edges, at most. */
+constexpr double MaximumEdgeLength = 1.5;
+/** Depths, at first and ever. */
+constexpr double MostOfFirstDepth = 0.6;
+constexpr double LeastDepth = 0.15;
+constexpr double MostDepth = 0.8;
+constexpr double DepthOfHeight = 0.5;
+/** A neighbour is below where the line to it is so steep, as a cosine. */
+constexpr double SteepestCosine = 0.3;
+/** Of the seed's way along the normal. */
+constexpr double DepthStep = 0.7;
+constexpr double FirstEvenness = 0.5;
+constexpr double Evenness = 0.3;
+
+std::vector<double>
+SpacingsOf(const std::vector<Point> & points)
+{
+  std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
+  centers.insert(centers.end(), points.begin(), points.end());
+  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
+                       centers);
+}
+
+AdjacencyComplex
+CleanedComplex(const MirroredCenters & centers)
+{
+  AdjacencyComplex         complex(static_cast<VertexId>(centers.positions.size()),
+                           DelaunayTetrahedralization(centers.positions));
+  SurfaceCleanUpParameters cleanUp;
+  cleanUp.maximumEdgeLength = MaximumEdgeLength;
+  cleanUp.localLengths = centers.spacings;
+  CleanSurface(complex, centers.positions, nullptr, cleanUp);
+  return complex;
+}
+
+/** Of each cell at the surface of the complex, the unit normal out of the tissue, by the areas of its surface
+ * triangles; of others zero. */
+std::vector<Point>
+SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & centers)
+{
+  std::vector<Point> normals(centers.size(), Point{ { 0.0, 0.0, 0.0 } });
+  for (const VertexQuadruple & t : complex.GetTetrahedra())
+  {
+    if (t[0] == ExteriorVertex)
+    {
+      // The tetrahedron being positive, its three cells turn clockwise seen from the exterior.
+      const Point normal = Cross(centers[t[2]] - centers[t[1]], centers[t[3]] - centers[t[1]]);
+      for (int i = 1; i < 4; ++i)
+      {
+        normals[t[i]] = normals[t[i]] - normal;
+      }
+    }
+  }
+  for (Point & normal : normals)
+  {
+    normal = Normalized(normal);
+  }
+  return normals;
+}
+
+/** By vertices at the surface, the heights of their centres above those of their neighbours below. */
+std::vector<std::vector<double>>
+CollectHeights(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
+{
+  std::vector<std::vector<double>> heights(centers.size());
+  const auto                       add = [&](VertexId above, VertexId below) {
+    const Point  offset = centers[above] - centers[below];
+    const double height = Dot(offset, normals[above]);
+    if (height > SteepestCosine * Norm(offset))
+    {
+      heights[above].push_back(height);
+    }
+  };
+  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
+  {
+    if (edge.vertices[0] != ExteriorVertex)
+    {
+      add(edge.vertices[0], edge.vertices[1]);
+      add(edge.vertices[1], edge.vertices[0]);
+    }
+  }
+  return heights;
+}
+} // namespace
+
+TissueSurface::TissueSurface(const std::vector<Point> & points, const Box & box)
+  : TissueSurface(MirrorAtSides(points, SpacingsOf(points), box), points.size())
+{}
+
+TissueSurface::TissueSurface(MirroredCenters centers, std::size_t numberOfPoints)
+  : m_Complex(CleanedComplex(centers))
+  , m_Centers(std::move(centers.positions))
+  , m_Spacings(std::move(centers.spacings))
+  , m_Normals(SurfaceNormals(m_Complex, m_Centers))
+  , m_IsCut(numberOfPoints + 1, false)
+{
+  for (std::size_t v = numberOfPoints + 1; v < centers.originals.size(); ++v)
+  {
+    m_IsCut[centers.originals[v]] = true;
+  }
+  this->EstimateDepths();
+}
+
+void
+TissueSurface::EstimateDepths()
+{
+  auto heights = CollectHeights(m_Complex, m_Centers, m_Normals);
+  m_Depths.assign(m_Centers.size(), 0.0);
+  for (std::size_t v = 1; v < m_Centers.size(); ++v)
+  {
+    if (m_Complex.FindEdge(ExteriorVertex, static_cast<VertexId>(v)) != nullptr)
+    {
+      const double height = heights[v].empty() ? m_Spacings[v] : Median(heights[v]);
+      m_Depths[v] = std::min(DepthOfHeight * height, MostOfFirstDepth * m_Spacings[v]);
+    }
+  }
+  this->EvenOut(FirstEvenness);
+}
+
+/** Takes a share of each depth from the mean of its neighbours'. */
+void
+TissueSurface::EvenOut(double share)
+{
+  std::vector<double> sums(m_Depths.size(), 0.0);
+  std::vector<int>    counts(m_Depths.size(), 0);
+  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
+  {
+    const auto [u, v] = edge.vertices;
+    if (m_Depths[u] > 0.0 && m_Depths[v] > 0.0)
+    {
+      sums[u] += m_Depths[v];
+      sums[v] += m_Depths[u];
+      ++counts[u];
+      ++counts[v];
+    }
+  }
+  for (std::size_t v = 1; v < m_Depths.size(); ++v)
+  {
+    if (counts[v] > 0)
+    {
+      m_Depths[v] += share * (sums[v] / counts[v] - m_Depths[v]);
+    }
+  }
+}
+
+void
+TissueSurface::Follow(const std::vector<MetricSeed> & seeds)
+{
+  for (std::size_t v = 1; v < m_IsCut.size(); ++v)
+  {
+    if (m_Depths[v] > 0.0)
+    {
+      const double way = Dot(seeds[v - 1].position - m_Centers[v], m_Normals[v]);
+      m_Depths[v] = std::clamp(m_Depths[v] + DepthStep * way, LeastDepth * m_Spacings[v], MostDepth * m_Spacings[v]);
+    }
+  }
+  this->EvenOut(Evenness);
+}
+
+CellNeighbors
+TissueSurface::FindNeighbors() const
+{
+  CellNeighbors neighbors(m_IsCut.size() - 1);
+  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
+  {
+    const auto u = static_cast<std::size_t>(edge.vertices[0]);
+    const auto v = static_cast<std::size_t>(edge.vertices[1]);
+    if (u > 0 && v < m_IsCut.size())
+    {
+      neighbors[u - 1].push_back(v - 1);
+      neighbors[v - 1].push_back(u - 1);
+    }
+  }
+  return neighbors;
+}
+
+TissueMask
+TissueSurface::MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor) const
+{
+  return EstimateTissueMask(m_Complex, m_Centers, m_Depths, grid, parallelFor);
+}
+} // namespace tissue

@@ -1,0 +1,308 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Reconstruction/CellRemark.h"
+
+#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
+#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+namespace tissue
+{
+namespace
+{
+/** What the image and the complex say of a cell's walls. */
+struct WallCounts
+{
+  int      inImage = 0;
+  int      lost = 0;
+  int      gained = 0;
+  VertexId neighbor = ExteriorVertex; // the last one met in the image
+};
+
+std::vector<WallCounts>
+CountWalls(const AdjacencyComplex & complex, const JunctionSet & junctions)
+{
+  std::vector<WallCounts> counts(static_cast<std::size_t>(junctions.NumberOfVertices()));
+  for (const Wall & wall : junctions.walls)
+  {
+    const bool isLost = !complex.FindEdge(wall.cells[0], wall.cells[1]);
+    for (int side = 0; side < 2; ++side)
+    {
+      WallCounts & count = counts[wall.cells[side]];
+      ++count.inImage;
+      count.lost += isLost ? 1 : 0;
+      count.neighbor = wall.cells[1 - side];
+    }
+  }
+  const ReferenceAdjacency reference(junctions);
+  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
+  {
+    if (!reference.HasPair(edge.vertices[0], edge.vertices[1]))
+    {
+      ++counts[edge.vertices[0]].gained;
+      ++counts[edge.vertices[1]].gained;
+    }
+  }
+  return counts;
+}
+
+bool
+TouchesExterior(const AdjacencyComplex & complex, const JunctionSet & junctions, VertexId v)
+{
+  bool touches = complex.FindEdge(ExteriorVertex, v) != nullptr;
+  for (auto outside = static_cast<VertexId>(junctions.cells.size()); outside < complex.NumberOfVertices(); ++outside)
+  {
+    touches = touches || complex.FindEdge(outside, v);
+  }
+  return touches;
+}
+
+/** Two cells and two others that meet them at a junction of the image. */
+struct WallLink
+{
+  VertexPair cells;
+  VertexPair others;
+  bool       isExact; // no fifth cell is there
+
+  friend bool
+  operator<(const WallLink & a, const WallLink & b)
+  {
+    return std::tie(a.cells, a.others) < std::tie(b.cells, b.others);
+  }
+};
+
+std::vector<WallLink>
+CollectWallLinks(const JunctionSet & junctions)
+{
+  std::vector<WallLink> links;
+  links.reserve(6 * junctions.junctions.size());
+  for (const Junction & junction : junctions.junctions)
+  {
+    const VertexQuadruple & c = junction.cells;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = i + 1; j < 4; ++j)
+      {
+        const int k = i == 0 ? (j == 1 ? 2 : 1) : 0;
+        links.push_back({ { { c[i], c[j] } }, { { c[k], c[6 - i - j - k] } }, junction.numberOfExactBlocks > 0 });
+      }
+    }
+  }
+  std::sort(links.begin(), links.end());
+  return links;
+}
+
+/** The walls of two cells from their links. The junctions of one wall are a cycle around it: several walls are several
+ * components of the links, or several cycles where they have a neighbour in common. Links of crowded blocks are chords,
+ * and make no cycles. */
+int
+CountWallsOfLinks(const WallLink * begin, const WallLink * end)
+{
+  std::map<VertexId, VertexId> parents;
+  const auto                   find = [&parents](VertexId v) {
+    while (parents.emplace(v, v).first->second != v)
+    {
+      v = parents[v];
+    }
+    return v;
+  };
+  int cycles = 0;
+  for (const bool isExact : { true, false })
+  {
+    for (const WallLink * link = begin; link != end; ++link)
+    {
+      if (link->isExact == isExact)
+      {
+        const VertexId a = find(link->others[0]);
+        const VertexId b = find(link->others[1]);
+        cycles += isExact && a == b ? 1 : 0;
+        parents[a] = b;
+      }
+    }
+  }
+  const auto components =
+    std::count_if(parents.begin(), parents.end(), [](const auto & entry) { return entry.first == entry.second; });
+  return std::max(cycles, static_cast<int>(components));
+}
+
+/** Of each vertex the number of its neighbours in the image to which it has several separate walls. */
+std::vector<int>
+CountSeparateWalls(const JunctionSet & junctions)
+{
+  const std::vector<WallLink> links = CollectWallLinks(junctions);
+  std::vector<int>            counts(static_cast<std::size_t>(junctions.NumberOfVertices()), 0);
+  for (auto begin = links.begin(); begin != links.end();)
+  {
+    const auto end =
+      std::find_if(begin, links.end(), [begin](const WallLink & link) { return link.cells != begin->cells; });
+    if (CountWallsOfLinks(&*begin, &*begin + (end - begin)) > 1)
+    {
+      ++counts[begin->cells[0]];
+      ++counts[begin->cells[1]];
+    }
+    begin = end;
+  }
+  return counts;
+}
+
+/** A vertex's junctions with the exterior, and those of them that are at several places. */
+struct SurfaceJunctions
+{
+  int number = 0;
+  int numberOfDouble = 0;
+};
+
+std::vector<SurfaceJunctions>
+CountSurfaceJunctions(const JunctionSet & junctions)
+{
+  std::vector<SurfaceJunctions> counts(static_cast<std::size_t>(junctions.NumberOfVertices()));
+  for (const Junction & junction : junctions.junctions)
+  {
+    for (int i = 1; junction.cells[0] == ExteriorVertex && i < 4; ++i)
+    {
+      ++counts[junction.cells[i]].number;
+      counts[junction.cells[i]].numberOfDouble += junction.numberOfClusters > 1 ? 1 : 0;
+    }
+  }
+  return counts;
+}
+} // namespace
+
+const char *
+ToString(Remark remark)
+{
+  switch (remark)
+  {
+    case Remark::SeveralPieces:
+      return "severalPieces";
+    case Remark::CutByBorder:
+      return "cutByBorder";
+    case Remark::Enclosed:
+      return "enclosed";
+    case Remark::Separated:
+      return "separated";
+    case Remark::StrayPart:
+      return "strayPart";
+    case Remark::SeparateWalls:
+      return "separateWalls";
+    case Remark::ExteriorOnTwoSides:
+      return "exteriorOnTwoSides";
+    case Remark::CenterMoved:
+      return "centerMoved";
+    case Remark::ExteriorLost:
+      return "exteriorLost";
+    case Remark::ExteriorGained:
+      return "exteriorGained";
+    case Remark::WallsLost:
+      return "wallsLost";
+    case Remark::WallsGained:
+      return "wallsGained";
+    case Remark::VolumeOff:
+      return "volumeOff";
+    case Remark::CornersNotFitted:
+      return "cornersNotFitted";
+    case Remark::VolumeNotFitted:
+      return "volumeNotFitted";
+  }
+  return "unknown";
+}
+
+std::string
+Describe(const CellRemark & remark)
+{
+  std::ostringstream text;
+  switch (remark.remark)
+  {
+    case Remark::SeveralPieces:
+      text << "is in several pieces; " << remark.value << " voxels outside the largest one do not count for its centre";
+      break;
+    case Remark::CutByBorder:
+      text << "lies on the border of the image and may be cut there";
+      break;
+    case Remark::Enclosed:
+      text << "is enclosed in the cell of label " << remark.value << "; it has false walls in the mesh";
+      break;
+    case Remark::Separated:
+      text << "touches no other cell";
+      break;
+    case Remark::StrayPart:
+      text << "is in a small part of the tissue that touches no other; false walls join it to the nearest part";
+      break;
+    case Remark::SeparateWalls:
+      text << "has several separate walls to each of " << remark.value
+           << (remark.value == 1.0 ? " neighbour" : " neighbours") << "; the mesh has one";
+      break;
+    case Remark::ExteriorOnTwoSides:
+      text << "meets the exterior on two sides, as in a sheet of one layer; the mesh has one";
+      break;
+    case Remark::CenterMoved:
+      text << "had the same centre as another cell; moved by " << remark.value;
+      break;
+    case Remark::ExteriorLost:
+      text << "touches the exterior in the image, but not in the mesh";
+      break;
+    case Remark::ExteriorGained:
+      text << "touches the exterior in the mesh, but not in the image";
+      break;
+    case Remark::WallsLost:
+      text << "lost " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has";
+      break;
+    case Remark::WallsGained:
+      text << "has " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has not";
+      break;
+    case Remark::CornersNotFitted:
+      text << "has " << remark.value << (remark.value == 1.0 ? " corner" : " corners") << " that the image has not";
+      break;
+    case Remark::VolumeOff:
+    case Remark::VolumeNotFitted:
+      text << "has " << remark.value << " times its volume in the image";
+      break;
+  }
+  return text.str();
+}
+
+std::vector<CellRemark>
+CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions)
+{
+  const std::vector<WallCounts>       counts = CountWalls(complex, junctions);
+  const std::vector<int>              separateWalls = CountSeparateWalls(junctions);
+  const std::vector<SurfaceJunctions> surface = CountSurfaceJunctions(junctions);
+  std::vector<CellRemark>             remarks;
+  for (VertexId v = ExteriorVertex + 1; v < static_cast<VertexId>(junctions.cells.size()); ++v)
+  {
+    const Cell &       cell = junctions.cells[v];
+    const WallCounts & count = counts[v];
+    const auto         add = [&](bool applies, Remark remark, double value) {
+      if (applies)
+      {
+        remarks.push_back({ v, remark, value });
+      }
+    };
+    const bool isAlone = count.inImage == 1;
+    const bool isInExterior = count.neighbor == ExteriorVertex || junctions.IsVoid(count.neighbor);
+    const bool touches = TouchesExterior(complex, junctions, v);
+    add(cell.numberOfPieces > 1, Remark::SeveralPieces, static_cast<double>(cell.numberOfStrayVoxels));
+    add(cell.touchesBorder, Remark::CutByBorder, 0.0);
+    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.CellOfVertex(count.neighbor).label));
+    add(isAlone && isInExterior, Remark::Separated, 0.0);
+    add(separateWalls[v] > 0, Remark::SeparateWalls, separateWalls[v]);
+    // All of them double: the two sides of a sheet. Some of them: a junction that is cut up.
+    add(surface[v].numberOfDouble > 2 && 2 * surface[v].numberOfDouble > surface[v].number,
+        Remark::ExteriorOnTwoSides,
+        surface[v].numberOfDouble);
+    add(cell.touchesExterior && !touches, Remark::ExteriorLost, 0.0);
+    add(!cell.touchesExterior && touches, Remark::ExteriorGained, 0.0);
+    add(count.lost > 0, Remark::WallsLost, count.lost);
+    add(count.gained > 0, Remark::WallsGained, count.gained);
+  }
+  return remarks;
+}
+} // namespace tissue

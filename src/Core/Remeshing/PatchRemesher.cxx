@@ -1,0 +1,348 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Remeshing/PatchRemesher.h"
+
+#include "TissueTessellationCore/Mesh/PatchMeasures.h"
+#include "TissueTessellationCore/Geometry/TriangleQuality.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tissue
+{
+namespace
+{
+constexpr int    FlipRounds = 3;
+constexpr int    FinalRounds = 2;
+constexpr int    MostVaried = 16;
+constexpr int    LineSearchSteps = 4;
+constexpr double MostDistortion = 1e12;
+/** Cosine of the largest angle between a triangle and the surface. */
+constexpr double LeastCosine = 0.2;
+/** A collapse may not leave a worse triangle than this, or than those it takes away. */
+constexpr double CollapseDistortion = 4.0;
+} // namespace
+
+PatchRemesher::PatchRemesher(const WallPatch & patch, ChordRule mayJoin)
+  : m_Patch(patch)
+  , m_Surface(patch)
+  , m_MayJoin(std::move(mayJoin))
+{
+  for (Vertex v = 0; v < m_Patch.EndOfVertices(); ++v)
+  {
+    m_Feet.push_back(m_Surface.FootAt(v));
+  }
+}
+
+void
+PatchRemesher::AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const
+{
+  const Point & p = m_Patch.PointAt(a);
+  const Point & q = m_Patch.PointAt(b);
+  const Point & r = m_Patch.PointAt(c);
+  const Point   cross = Cross(q - p, r - p);
+  const Point   up = m_Feet[a].normal + m_Feet[b].normal + m_Feet[c].normal;
+  const double  along = Dot(cross, up);
+  const bool    upright = along > 0.0 && along * along > LeastCosine * LeastCosine * Dot(cross, cross) * Dot(up, up);
+  const double  distortion = std::min(MostDistortion, TriangleDistortion(p, q, r));
+  shape.turned += upright ? 0 : 1;
+  shape.distortion += distortion;
+  shape.worst = std::max(shape.worst, distortion);
+}
+
+PatchRemesher::Shape
+PatchRemesher::ShapeAround(Vertex v) const
+{
+  Shape shape;
+  m_Patch.ForEachAround(v, [&](HalfEdge h) { this->AddTriangle(shape, v, m_Patch.To(h), m_Patch.Opposite(h)); });
+  return shape;
+}
+
+bool
+PatchRemesher::MayJoin(Vertex a, Vertex b) const
+{
+  return a >= m_Patch.OutlineSize() || b >= m_Patch.OutlineSize() || m_MayJoin(a, b);
+}
+
+bool
+PatchRemesher::Claim(const std::vector<HalfEdge> & halfEdges)
+{
+  const auto end = static_cast<HalfEdge>(3 * m_Claimed.size());
+  for (const HalfEdge h : halfEdges)
+  {
+    // Triangles of this pass are beyond the end.
+    if (h >= end || m_Claimed[h / 3])
+    {
+      return false;
+    }
+  }
+  for (const HalfEdge h : halfEdges)
+  {
+    m_Claimed[h / 3] = 1;
+  }
+  return true;
+}
+
+int
+PatchRemesher::SplitLongest(int most)
+{
+  std::vector<Candidate> candidates;
+  for (HalfEdge h = 0; h < m_Patch.EndOfHalfEdges(); ++h)
+  {
+    if (m_Patch.IsAlive(h) && m_Patch.Twin(h) > h)
+    {
+      candidates.push_back({ -Distance(m_Patch.PointAt(m_Patch.From(h)), m_Patch.PointAt(m_Patch.To(h))), h });
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  m_Claimed.assign(m_Patch.EndOfHalfEdges() / 3, 0);
+  constexpr double longEnough = 0.7;
+  int              count = 0;
+  for (const Candidate & candidate : candidates)
+  {
+    const HalfEdge h = candidate.edge;
+    if (count == most || candidate.cost > longEnough * candidates.front().cost)
+    {
+      break;
+    }
+    if (this->Claim({ h, m_Patch.Twin(h) }))
+    {
+      const Vertex from = m_Patch.From(h);
+      const Point  middle = 0.5 * (m_Patch.PointAt(from) + m_Patch.PointAt(m_Patch.To(h)));
+      const int    start = m_Feet[from >= m_Patch.OutlineSize() ? from : m_Patch.To(h)].triangle;
+      m_Feet.push_back(m_Surface.FindFoot(middle, start));
+      m_Patch.Split(h, m_Feet.back().point);
+      ++count;
+    }
+  }
+  return count;
+}
+
+bool
+PatchRemesher::MayCollapse(HalfEdge h) const
+{
+  const Vertex target = m_Patch.To(h);
+  bool         legal = m_Patch.CanCollapse(h);
+  m_Patch.ForEachAround(m_Patch.From(h), [&](HalfEdge around) {
+    const Vertex v = m_Patch.To(around);
+    legal = legal && (v == target || this->MayJoin(target, v) || m_Patch.AreJoined(target, v));
+  });
+  return legal;
+}
+
+PatchRemesher::Candidate
+PatchRemesher::BestCollapse(Vertex v) const
+{
+  const Shape before = this->ShapeAround(v);
+  Candidate   best{ std::numeric_limits<double>::infinity(), WallPatch::None };
+  m_Patch.ForEachAround(v, [&](HalfEdge h) {
+    const Vertex target = m_Patch.To(h);
+    Shape        after;
+    m_Patch.ForEachAround(v, [&](HalfEdge around) {
+      const Vertex a = m_Patch.To(around);
+      const Vertex b = m_Patch.Opposite(around);
+      if (a != target && b != target)
+      {
+        this->AddTriangle(after, target, a, b);
+      }
+    });
+    const Candidate candidate{ after.distortion - before.distortion, h };
+    if (candidate < best && after.turned <= before.turned &&
+        after.worst <= std::max(before.worst, CollapseDistortion) && this->MayCollapse(h))
+    {
+      best = candidate;
+    }
+  });
+  return best;
+}
+
+int
+PatchRemesher::CollapseBest(int most)
+{
+  std::vector<Candidate> candidates;
+  for (Vertex v = m_Patch.OutlineSize(); v < m_Patch.EndOfVertices(); ++v)
+  {
+    const Candidate best = m_Patch.HasVertex(v) ? this->BestCollapse(v) : Candidate{ 0.0, WallPatch::None };
+    if (best.edge != WallPatch::None)
+    {
+      candidates.push_back(best);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  m_Claimed.assign(m_Patch.EndOfHalfEdges() / 3, 0);
+  int count = 0;
+  for (std::size_t i = 0; i < candidates.size() && count < most && i <= candidates.size() / 4; ++i)
+  {
+    const HalfEdge h = candidates[i].edge;
+    if (!m_Patch.IsAlive(h))
+    {
+      continue;
+    }
+    std::vector<HalfEdge> changed;
+    for (const Vertex v : { m_Patch.From(h), m_Patch.To(h) })
+    {
+      m_Patch.ForEachAround(v, [&](HalfEdge around) { changed.push_back(around); });
+    }
+    if (this->Claim(changed))
+    {
+      m_Patch.Collapse(h);
+      ++count;
+    }
+  }
+  return count;
+}
+
+bool
+PatchRemesher::FlipIfBetter(HalfEdge h)
+{
+  const Vertex a = m_Patch.From(h);
+  const Vertex b = m_Patch.To(h);
+  const Vertex c = m_Patch.Opposite(h);
+  const Vertex d = m_Patch.Opposite(m_Patch.Twin(h));
+  Shape        before;
+  this->AddTriangle(before, a, b, c);
+  this->AddTriangle(before, b, a, d);
+  Shape after;
+  this->AddTriangle(after, c, d, b);
+  this->AddTriangle(after, d, c, a);
+  if (!after.IsBetterThan(before) || m_Patch.AreJoined(c, d) || !this->MayJoin(c, d))
+  {
+    return false;
+  }
+  m_Patch.Flip(h);
+  return true;
+}
+
+void
+PatchRemesher::FlipEdges()
+{
+  bool flipped = true;
+  for (int round = 0; round < FlipRounds && flipped; ++round)
+  {
+    flipped = false;
+    for (HalfEdge h = 0; h < m_Patch.EndOfHalfEdges(); ++h)
+    {
+      if (m_Patch.IsAlive(h) && m_Patch.Twin(h) > h)
+      {
+        flipped = this->FlipIfBetter(h) || flipped;
+      }
+    }
+  }
+}
+
+bool
+PatchRemesher::MoveIfBetter(Vertex v, const Point & target, Shape & shape)
+{
+  const PatchSurface::Foot old = m_Feet[v];
+  m_Feet[v] = m_Surface.FindFoot(target, old.triangle);
+  m_Patch.SetPoint(v, m_Feet[v].point);
+  const Shape moved = this->ShapeAround(v);
+  if (moved.IsBetterThan(shape))
+  {
+    shape = moved;
+    return true;
+  }
+  m_Feet[v] = old;
+  m_Patch.SetPoint(v, old.point);
+  return false;
+}
+
+void
+PatchRemesher::MoveVertex(Vertex v)
+{
+  Shape       shape = this->ShapeAround(v);
+  const Point at = m_Patch.PointAt(v);
+  Point       sum{ { 0.0, 0.0, 0.0 } };
+  Point       gradient{ { 0.0, 0.0, 0.0 } };
+  int         count = 0;
+  m_Patch.ForEachAround(v, [&](HalfEdge h) {
+    const Point & a = m_Patch.PointAt(m_Patch.To(h));
+    sum = sum + a;
+    gradient = gradient + TriangleDistortionGradient(at, a, m_Patch.PointAt(m_Patch.Opposite(h)));
+    ++count;
+  });
+  const Point mean = (1.0 / count) * sum;
+  if (this->MoveIfBetter(v, mean, shape))
+  {
+    return;
+  }
+  const Point & normal = m_Feet[v].normal;
+  const Point   downhill = Normalized(Dot(gradient, normal) * normal - gradient);
+  double        step = 0.25 * Distance(at, m_Patch.PointAt(m_Patch.To(m_Patch.Leaving(v))));
+  for (int i = 0; i < LineSearchSteps; ++i, step *= 0.5)
+  {
+    if (this->MoveIfBetter(v, at + step * downhill, shape))
+    {
+      return;
+    }
+  }
+}
+
+void
+PatchRemesher::MoveVertices()
+{
+  for (Vertex v = m_Patch.OutlineSize(); v < m_Patch.EndOfVertices(); ++v)
+  {
+    if (m_Patch.HasVertex(v))
+    {
+      this->MoveVertex(v);
+    }
+  }
+}
+
+void
+PatchRemesher::RemeshTo(int numberOfInteriorVertices)
+{
+  for (int changed = 1; changed > 0;)
+  {
+    const int missing = numberOfInteriorVertices - m_Patch.NumberOfInteriorVertices();
+    changed = missing > 0 ? this->SplitLongest(missing) : missing < 0 ? this->CollapseBest(-missing) : 0;
+    this->FlipEdges();
+    this->MoveVertices();
+  }
+  for (int round = 0; round < FinalRounds; ++round)
+  {
+    this->FlipEdges();
+    this->MoveVertices();
+  }
+}
+
+void
+PatchRemesher::Remesh(int numberOfInteriorVertices)
+{
+  this->RemeshTo(numberOfInteriorVertices);
+  if (numberOfInteriorVertices > MostVaried)
+  {
+    return;
+  }
+  // Between few points the outline decides how many fit best.
+  const State start{ m_Patch, m_Feet };
+  State       best = start;
+  double      bestQuality = MeanQuality(m_Patch);
+  for (const int change : { 1, -1 })
+  {
+    m_Patch = start.patch;
+    m_Feet = start.feet;
+    this->RemeshTo(numberOfInteriorVertices + change);
+    const double quality = MeanQuality(m_Patch);
+    if (quality > bestQuality)
+    {
+      bestQuality = quality;
+      best = { m_Patch, m_Feet };
+    }
+  }
+  m_Patch = std::move(best.patch);
+  m_Feet = std::move(best.feet);
+}
+
+WallPatch
+PatchRemesher::TakePatch()
+{
+  m_Patch.Compact();
+  return std::move(m_Patch);
+}
+} // namespace tissue

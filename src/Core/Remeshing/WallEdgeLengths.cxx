@@ -1,0 +1,161 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
+
+#include "TissueTessellationCore/Common/Algorithms.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace tissue
+{
+namespace
+{
+std::vector<double>
+AreasOfWalls(const WallMesh & mesh)
+{
+  std::vector<double> areas(mesh.walls.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto & triangle = mesh.triangles[t];
+    areas[mesh.wallOfTriangle[t]] +=
+      TriangleArea(mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]);
+  }
+  return areas;
+}
+
+/** What the number of triangles depends on. */
+struct Measures
+{
+  std::vector<double>   areas;
+  std::vector<WallLine> lines;
+  std::vector<double>   lengths;
+};
+
+double
+CountTriangles(const Measures & measures, const std::vector<double> & edgeLengths)
+{
+  std::vector<int> segments(measures.areas.size(), 0);
+  for (std::size_t i = 0; i < measures.lines.size(); ++i)
+  {
+    const int n = NumberOfSegments(measures.lengths[i], EdgeLengthAt(measures.lines[i], edgeLengths));
+    for (const WallId wall : measures.lines[i].walls)
+    {
+      segments[wall] += n;
+    }
+  }
+  double count = 0.0;
+  for (std::size_t w = 0; w < segments.size(); ++w)
+  {
+    count += 2.0 * NumberOfInteriorPoints(measures.areas[w], edgeLengths[w], segments[w]) + segments[w] - 2.0;
+  }
+  return count;
+}
+} // namespace
+
+void
+RequireEdgeLengths(const WallMesh & mesh, const std::vector<double> & edgeLengths)
+{
+  if (edgeLengths.size() != mesh.walls.size())
+  {
+    throw std::invalid_argument(std::to_string(edgeLengths.size()) + " edge lengths for " +
+                                std::to_string(mesh.walls.size()) + " walls");
+  }
+  for (const double length : edgeLengths)
+  {
+    if (!(length > 0.0))
+    {
+      throw std::invalid_argument("An edge length of a wall is " + std::to_string(length) + ", must be positive");
+    }
+  }
+}
+
+int
+NumberOfSegments(double length, double edgeLength)
+{
+  return std::max(1, static_cast<int>(std::lround(length / edgeLength)));
+}
+
+int
+NumberOfInteriorPoints(double area, double edgeLength, int outlineSegments)
+{
+  const double triangles = area * 4.0 / (std::sqrt(3.0) * edgeLength * edgeLength);
+  return std::max(0, static_cast<int>(std::lround(0.5 * (triangles + 2.0 - outlineSegments))));
+}
+
+double
+EdgeLengthAt(const WallLine & line, const std::vector<double> & edgeLengths)
+{
+  return std::min({ edgeLengths[line.walls[0]], edgeLengths[line.walls[1]], edgeLengths[line.walls[2]] });
+}
+
+std::vector<double>
+ChooseEdgeLengths(const WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors)
+{
+  if (!(numberOfTriangles > 0.0) || (!factors.empty() && factors.size() != mesh.walls.size()))
+  {
+    throw std::invalid_argument("ChooseEdgeLengths: no triangles wanted, or not one factor for each wall");
+  }
+  Measures measures{ AreasOfWalls(mesh), CollectWallLines(mesh), {} };
+  double   area = 0.0;
+  for (std::size_t w = 0; w < measures.areas.size(); ++w)
+  {
+    const double factor = factors.empty() ? 1.0 : factors[w];
+    area += measures.areas[w] / (factor * factor);
+  }
+  for (const WallLine & line : measures.lines)
+  {
+    measures.lengths.push_back(LengthOf(line, mesh.points));
+  }
+  std::vector<double> lengths;
+  const auto          scaled = [&](double length) {
+    lengths.assign(mesh.walls.size(), length);
+    for (std::size_t w = 0; w < factors.size(); ++w)
+    {
+      lengths[w] *= factors[w];
+    }
+    return lengths;
+  };
+  // Halved in its logarithm around what equilateral triangles would need.
+  const double equilateral = std::sqrt(area * 4.0 / (std::sqrt(3.0) * numberOfTriangles));
+  double       low = 0.1 * equilateral;
+  double       high = 10.0 * equilateral;
+  for (int i = 0; i < 30; ++i)
+  {
+    const double middle = std::sqrt(low * high);
+    (CountTriangles(measures, scaled(middle)) > numberOfTriangles ? low : high) = middle;
+  }
+  return scaled(high);
+}
+
+std::vector<double>
+EdgeLengthFactorsByCell(const WallMesh & mesh, const std::vector<double> & volumes, double exponent)
+{
+  std::vector<double> ofCells(volumes.begin() + std::min<std::size_t>(1, volumes.size()), volumes.end());
+  if (ofCells.empty())
+  {
+    return std::vector<double>(mesh.walls.size(), 1.0);
+  }
+  const double        median = Median(std::move(ofCells));
+  std::vector<double> factors;
+  factors.reserve(mesh.walls.size());
+  for (const WallMesh::Wall & wall : mesh.walls)
+  {
+    double volume = volumes[wall.cells[0]];
+    if (wall.cells[1] != ExteriorVertex)
+    {
+      volume = std::min(volume, volumes[wall.cells[1]]);
+    }
+    const double size = median > 0.0 ? std::cbrt(std::max(0.0, volume) / median) : 1.0;
+    factors.push_back(std::clamp(std::pow(size, exponent), 1.0 / 3.0, 3.0));
+  }
+  return factors;
+}
+} // namespace tissue

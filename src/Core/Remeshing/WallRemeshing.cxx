@@ -1,0 +1,209 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
+
+#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
+#include "TissueTessellationCore/Mesh/PatchMeasures.h"
+#include "TissueTessellationCore/Remeshing/PatchRemesher.h"
+#include "TissueTessellationCore/Mesh/PointNumbering.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
+#include "TissueTessellationCore/Mesh/WallLines.h"
+#include "TissueTessellationCore/Mesh/WallPieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace tissue
+{
+namespace
+{
+void
+RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLength, WallPiece & piece)
+{
+  const WallPatch patch = MakePatch(mesh, piece);
+  PatchRemesher   remesher(patch, [&](WallPatch::Vertex a, WallPatch::Vertex b) {
+    return wallsAt.CountCommon(piece.outline[a], piece.outline[b]) == 1;
+  });
+  remesher.Remesh(NumberOfInteriorPoints(AreaOf(patch), edgeLength, static_cast<int>(piece.outline.size())));
+  TakePatch(remesher.TakePatch(), piece);
+}
+
+/** The edges of a patch that can be split, longest first. */
+class LongestEdges
+{
+public:
+  using HalfEdge = WallPatch::HalfEdge;
+
+  explicit LongestEdges(const WallPatch & patch)
+    : m_Patch(patch)
+  {
+    for (HalfEdge h = 0; h < patch.EndOfHalfEdges(); ++h)
+    {
+      this->Push(h);
+    }
+  }
+
+  void
+  Push(HalfEdge h)
+  {
+    if (m_Patch.Twin(h) != WallPatch::None)
+    {
+      m_Edges.emplace(this->LengthOf(h), std::max(h, m_Patch.Twin(h)));
+    }
+  }
+
+  /** WallPatch::None where there is none left. */
+  HalfEdge
+  Pop()
+  {
+    while (!m_Edges.empty())
+    {
+      const auto [length, h] = m_Edges.top();
+      m_Edges.pop();
+      // A half-edge that was split goes on as a shorter one.
+      if (length == this->LengthOf(h))
+      {
+        return h;
+      }
+    }
+    return WallPatch::None;
+  }
+
+private:
+  double
+  LengthOf(HalfEdge h) const
+  {
+    return Distance(m_Patch.PointAt(m_Patch.From(h)), m_Patch.PointAt(m_Patch.To(h)));
+  }
+
+  const WallPatch &                                m_Patch;
+  std::priority_queue<std::pair<double, HalfEdge>> m_Edges;
+};
+
+void
+SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
+{
+  WallPatch    patch = MakePatch(mesh, piece);
+  LongestEdges edges(patch);
+  int          missing = NumberOfInteriorPoints(AreaOf(patch), edgeLength, static_cast<int>(piece.outline.size())) -
+                patch.NumberOfInteriorVertices();
+  for (WallPatch::HalfEdge h = 0; missing > 0 && (h = edges.Pop()) != WallPatch::None; --missing)
+  {
+    const Point             middle = 0.5 * (patch.PointAt(patch.From(h)) + patch.PointAt(patch.To(h)));
+    const WallPatch::Vertex v = patch.Split(h, middle);
+    patch.ForEachAround(v, [&](WallPatch::HalfEdge around) {
+      edges.Push(around);
+      edges.Push(WallPatch::Next(around));
+    });
+  }
+  patch.Compact();
+  TakePatch(patch, piece);
+}
+
+/** Calls change(w, piece) with the piece of each wall, and joins what is left of them. */
+template <typename TChange>
+void
+ChangeWalls(WallMesh & mesh, const ParallelFor & parallelFor, const TChange & change)
+{
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+  std::vector<WallPiece>         pieces(mesh.walls.size());
+  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
+    pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
+    change(w, pieces[w]);
+  });
+  mesh = JoinWallPieces(mesh, pieces);
+}
+} // namespace
+
+void
+RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+{
+  RequireEdgeLengths(mesh, edgeLengths);
+  const WallsAtPoints wallsAt(mesh);
+  ChangeWalls(
+    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { RemeshPiece(mesh, wallsAt, edgeLengths[w], piece); });
+}
+
+void
+SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+{
+  RequireEdgeLengths(mesh, edgeLengths);
+  ChangeWalls(
+    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { SubdividePiece(mesh, edgeLengths[w], piece); });
+}
+
+std::vector<double>
+RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors,
+                          const ParallelFor & parallelFor)
+{
+  constexpr int    tries = 3;
+  constexpr double tolerance = 0.02;
+  const WallMesh   before = mesh;
+  double           ordered = numberOfTriangles;
+  for (int i = 1;; ++i)
+  {
+    mesh = before;
+    std::vector<double> edgeLengths = ChooseEdgeLengths(mesh, ordered, factors);
+    SubdivideLines(mesh, edgeLengths);
+    RemeshWalls(mesh, edgeLengths, parallelFor);
+    const double ratio = static_cast<double>(mesh.triangles.size()) / numberOfTriangles;
+    if (i == tries || std::abs(ratio - 1.0) <= tolerance)
+    {
+      return edgeLengths;
+    }
+    ordered /= ratio;
+  }
+}
+
+void
+ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> & walls)
+{
+  std::vector<unsigned char> isReplaced(mesh.walls.size(), 0);
+  for (const WallId w : walls)
+  {
+    isReplaced[w] = 1;
+  }
+  const std::vector<std::size_t> firstOfMesh = FirstTrianglesOfWalls(mesh);
+  const std::vector<std::size_t> firstOfOther = FirstTrianglesOfWalls(other);
+  std::vector<PointId>           numberOf(other.points.size(), -1);
+  // The corners and lines' points are the mesh's own.
+  const auto takePoint = [&](PointId & p) {
+    if (other.numberOfCells[p] != CellsWithinWall)
+    {
+      return;
+    }
+    if (numberOf[p] < 0)
+    {
+      numberOf[p] = static_cast<PointId>(mesh.points.size());
+      mesh.points.push_back(other.points[p]);
+      mesh.numberOfCells.push_back(CellsWithinWall);
+    }
+    p = numberOf[p];
+  };
+  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<WallId>                 wallOfTriangle;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    const auto & source = isReplaced[w] != 0 ? other.triangles : mesh.triangles;
+    const auto & first = isReplaced[w] != 0 ? firstOfOther : firstOfMesh;
+    for (std::size_t t = first[w]; t < first[w + 1]; ++t)
+    {
+      triangles.push_back(source[t]);
+      wallOfTriangle.push_back(static_cast<WallId>(w));
+      if (isReplaced[w] != 0)
+      {
+        std::for_each(triangles.back().begin(), triangles.back().end(), takePoint);
+      }
+    }
+  }
+  mesh.triangles = std::move(triangles);
+  mesh.wallOfTriangle = std::move(wallOfTriangle);
+  PutLinePointsFirst(mesh);
+}
+} // namespace tissue

@@ -1,0 +1,90 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Tessellation/CentroidFit.h"
+
+#include "TissueTessellationCore/Geometry/SymmetricEigen.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <cmath>
+#include <utility>
+
+namespace tissue
+{
+namespace
+{
+constexpr Metric NoShape = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+constexpr double SeedStep = 0.7;
+constexpr double MetricMixing = 0.3;
+/** How much of its own shape a cell's metric takes on, and of the shapes about it. From about 0.5 on a cell's own shape
+ * feeds itself, a shape that many cells have in common does not. */
+constexpr double SelfAnisotropy = 0.1;
+constexpr double CommonAnisotropy = 0.8;
+constexpr int    SmoothingPasses = 3;
+
+/** The shape of a cell, of whatever size it is: the deviator of the logarithm of its covariance. */
+Metric
+ShapeOf(const Metric & covariance)
+{
+  Metric       shape = MapEigenvalues(covariance, [](double value) { return std::log(value); });
+  const double mean = (shape[0] + shape[3] + shape[5]) / 3.0;
+  for (const int diagonal : { 0, 3, 5 })
+  {
+    shape[diagonal] -= mean;
+  }
+  return shape;
+}
+} // namespace
+
+CentroidFit::CentroidFit(std::vector<Point> points, CellNeighbors neighbors)
+  : m_Points(std::move(points))
+  , m_Neighbors(std::move(neighbors))
+  , m_Seeds(m_Points.size())
+  , m_LogMetrics(m_Points.size(), NoShape)
+{
+  for (std::size_t i = 0; i < m_Points.size(); ++i)
+  {
+    m_Seeds[i].position = m_Points[i];
+  }
+}
+
+void
+CentroidFit::Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor)
+{
+  const auto          cellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), samples, parallelFor);
+  const auto          cells = MeasureCells(samples.points, cellOfSample, m_Seeds.size(), samples.boxSize);
+  std::vector<Metric> shapes(m_Seeds.size(), NoShape);
+  RunFor(parallelFor, m_Seeds.size(), [&](std::size_t i) {
+    this->Move(i, cells[i], relaxation);
+    if (cells[i].numberOfPoints > 0)
+    {
+      shapes[i] = ShapeOf(cells[i].covariance);
+    }
+  });
+  const std::vector<Metric> common = SmoothMetrics(shapes, m_Neighbors, SmoothingPasses, parallelFor);
+  RunFor(parallelFor, m_Seeds.size(), [&](std::size_t i) {
+    Metric & log = m_LogMetrics[i];
+    for (std::size_t k = 0; k < log.size(); ++k)
+    {
+      log[k] -= MetricMixing * (SelfAnisotropy * shapes[i][k] + CommonAnisotropy * common[i][k] + log[k]);
+    }
+    m_Seeds[i].metric = MapEigenvalues(log, [](double value) { return std::exp(value); });
+  });
+}
+
+void
+CentroidFit::Move(std::size_t cell, const CellMoments & moments, double relaxation)
+{
+  Point & position = m_Seeds[cell].position;
+  if (moments.numberOfPoints == 0)
+  {
+    position = m_Points[cell];
+    return;
+  }
+  position = position + SeedStep * (m_Points[cell] - moments.mean);
+  position = position + relaxation * (m_Points[cell] - position);
+}
+} // namespace tissue

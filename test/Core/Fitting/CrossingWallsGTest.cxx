@@ -1,0 +1,68 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TestWallMeshes.h"
+
+#include "TissueTessellationCore/Fitting/CrossingGuard.h"
+#include "TissueTessellationCore/Fitting/CrossingWalls.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_wall_meshes;
+
+namespace
+{
+/** A square pyramid's four sides, a wall whose centre is its top, and beside them a second wall of one triangle, which
+ * cuts the plane of the square from `bottom` to z = 1.
+ */
+WallMesh
+PyramidAndTriangle(double top, double bottom)
+{
+  WallMesh mesh;
+  mesh.points = { { { -3, -3, 0 } }, { { 3, -3, 0 } },     { { 3, 3, 0 } },      { { -3, 3, 0 } },
+                  { { 0, 0, 1 } },   { { 1, 1, bottom } }, { { 1, 2, bottom } }, { { 0, 0, top } } };
+  mesh.numberOfCells.assign(7, CellsAtCorner);
+  mesh.numberOfCells.push_back(CellsWithinWall);
+  mesh.walls = { { { { 1, 2 } } }, { { { 3, 4 } } } };
+  for (int i = 0; i < 4; ++i)
+  {
+    mesh.triangles.push_back({ { 7, i, (i + 1) % 4 } });
+    mesh.wallOfTriangle.push_back(0);
+  }
+  mesh.triangles.push_back({ { 4, 5, 6 } });
+  mesh.wallOfTriangle.push_back(1);
+  return mesh;
+}
+} // namespace
+
+TEST(CrossingWalls, SmoothingUnfoldsAWall)
+{
+  const WallMesh old = PyramidAndTriangle(-1.0, 0.5);
+  WallMesh       mesh = PyramidAndTriangle(1.3, 0.5);
+  ASSERT_FALSE(FindCrossings(mesh).empty());
+  EXPECT_EQ(MendCrossingWalls(mesh, old), 0);
+  EXPECT_TRUE(FindCrossings(mesh).empty());
+  EXPECT_EQ(mesh.points[7], (Point{ { 0, 0, 0 } })) << "the mean of its neighbours";
+}
+
+TEST(CrossingWalls, WallsThatStillCrossGoBack)
+{
+  const WallMesh old = PyramidAndTriangle(4.0, -0.5);
+  WallMesh       mesh = PyramidAndTriangle(0.5, -0.5);
+  ASSERT_TRUE(FindCrossings(old).empty());
+  ASSERT_FALSE(FindCrossings(mesh).empty());
+  EXPECT_EQ(MendCrossingWalls(mesh, old), 1);
+  EXPECT_EQ(mesh.points, old.points);
+  EXPECT_EQ(mesh.triangles, old.triangles);
+}
+
+TEST(CrossingWalls, AMeshWithoutCrossingsStays)
+{
+  const WallMesh before = FourCells();
+  WallMesh       mesh = before;
+  EXPECT_EQ(MendCrossingWalls(mesh, before), 0);
+  EXPECT_EQ(mesh.points, before.points);
+}
