@@ -7,8 +7,8 @@
 // Our pipeline and its peers on the same label image in one go: times, and what each mesh keeps of the tissue.
 #include "ComparisonTable.h"
 #include "LabelInput.h"
-#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "TissueTessellationVTKBridge.h"
 #include "itkCoreExecution.h"
 #include "itkJunctionsToCellWallMeshFilter.h"

@@ -8,7 +8,7 @@
 #define ComparisonTable_h
 
 #include "TissueTessellationCore/Common/Stopwatch.h"
-#include "TissueTessellationCore/Evaluation/TissueMeshEvaluation.h"
+#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 
 #include <nlohmann/json_fwd.hpp>
 

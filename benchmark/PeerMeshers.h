@@ -7,8 +7,8 @@
 #ifndef PeerMeshers_h
 #define PeerMeshers_h
 
-#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
 
 #include <itkImage.h>
 

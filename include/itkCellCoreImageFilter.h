@@ -7,9 +7,9 @@
 #ifndef itkCellCoreImageFilter_h
 #define itkCellCoreImageFilter_h
 
+#include "TissueTessellationCore/Common/Types.h"
 #include "itkImage.h"
 #include "itkImageToImageFilter.h"
-#include "TissueTessellationCore/Common/Types.h"
 
 #include <vector>
 

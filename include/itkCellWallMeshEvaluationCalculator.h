@@ -7,11 +7,11 @@
 #ifndef itkCellWallMeshEvaluationCalculator_h
 #define itkCellWallMeshEvaluationCalculator_h
 
+#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
+#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 #include "itkCellWallMesh.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTissueJunctions.h"
-#include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
-#include "TissueTessellationCore/Evaluation/TissueMeshEvaluation.h"
 
 #include <memory>
 

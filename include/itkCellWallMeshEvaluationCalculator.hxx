@@ -11,8 +11,8 @@
 
 #include "TissueTessellationCore/Adjacency/Voids.h"
 #include "itkCoreExecution.h"
-#include "itkLabelJunctionExtractionFilter.h"
 #include "itkLabelImageToLabelVolume.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <stdexcept>
 

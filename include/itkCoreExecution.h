@@ -7,7 +7,7 @@
 #ifndef itkCoreParallelFor_h
 #define itkCoreParallelFor_h
 
-#include "TissueTessellationCore/Common/ParallelFor.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "itkMultiThreaderBase.h"
 #include "itkProcessObject.h"
 #include "itkWorkUnitErrors.h"

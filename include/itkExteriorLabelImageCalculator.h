@@ -7,9 +7,9 @@
 #ifndef itkExteriorLabelImageCalculator_h
 #define itkExteriorLabelImageCalculator_h
 
+#include "TissueTessellationCore/Common/Types.h"
 #include "itkObject.h"
 #include "itkObjectFactory.h"
-#include "TissueTessellationCore/Common/Types.h"
 
 #include <map>
 

@@ -11,8 +11,8 @@
 
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
-#include "itkLabelJunctionExtractionFilter.h"
 #include "itkLabelImageToLabelVolume.h"
+#include "itkLabelJunctionExtractionFilter.h"
 #include "itkProgressAccumulator.h"
 
 namespace itk

@@ -7,10 +7,10 @@
 #ifndef itkLabelVolume_h
 #define itkLabelVolume_h
 
-#include "itkEnclosedVoidImageFilter.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
+#include "itkEnclosedVoidImageFilter.h"
 
 #include <algorithm>
 #include <memory>

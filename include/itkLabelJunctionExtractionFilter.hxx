@@ -9,14 +9,14 @@
 
 #include "itkLabelJunctionExtractionFilter.h"
 
+#include "TissueTessellationCore/Image/BlockScan.h"
+#include "TissueTessellationCore/Image/GatherJunctions.h"
 #include "itkContinuousIndex.h"
 #include "itkEnclosedVoidImageFilter.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
 #include "itkWorkUnitErrors.h"
-#include "TissueTessellationCore/Image/BlockScan.h"
-#include "TissueTessellationCore/Image/GatherJunctions.h"
 
 #include <algorithm>
 #include <array>

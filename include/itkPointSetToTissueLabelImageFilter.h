@@ -8,7 +8,7 @@
 #define itkPointSetToTissueLabelImageFilter_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
-#include "TissueTessellationCore/Points/TissueMask.h"
+#include "TissueTessellationCore/Points/TissueGrid.h"
 #include "itkImageBase.h"
 #include "itkImageSource.h"
 #include "itkPointSet.h"

@@ -9,7 +9,7 @@
 
 #include "itkSyntheticTissueImageSource.h"
 
-#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 #include "TissueTessellationCore/Tessellation/TissueShapes.h"
 #include "itkImageRegionConstIterator.h"

@@ -7,11 +7,11 @@
 #ifndef itkTissueJunctions_h
 #define itkTissueJunctions_h
 
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationExport.h"
 #include "itkDataObject.h"
 #include "itkObjectFactory.h"
 #include "itkVectorContainer.h"
-#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 
 namespace itk
 {

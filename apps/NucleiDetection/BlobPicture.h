@@ -7,8 +7,8 @@
 #ifndef BlobPicture_h
 #define BlobPicture_h
 
-#include "Shared/Points/PointFileWriter.h"
 #include "Shared/Images/ScalarImageInput.h"
+#include "Shared/Points/PointFileWriter.h"
 
 namespace tissue
 {

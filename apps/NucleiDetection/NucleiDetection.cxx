@@ -7,13 +7,13 @@
 // Finds nuclei in an image of their stain: NucleiDetection [options] image points.csv
 
 #include "NucleiDetection/BlobPicture.h"
-#include "Shared/Points/NucleiSearch.h"
 #include "Shared/CommandLine/OptionChecks.h"
-#include "Shared/Files/OutputFiles.h"
-#include "Shared/Points/PointFileWriter.h"
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/CommandLine/RunProgram.h"
+#include "Shared/Files/OutputFiles.h"
 #include "Shared/Images/ScalarImageInput.h"
+#include "Shared/Points/NucleiSearch.h"
+#include "Shared/Points/PointFileWriter.h"
 
 #include <itkMultiThreaderBase.h>
 

@@ -6,8 +6,8 @@
  *=========================================================================*/
 #include "NucleiTessellation/NucleiTessellationOptions.h"
 
-#include "Shared/Reconstruction/MethodOptions.h"
 #include "Shared/Points/PointFileReader.h"
+#include "Shared/Reconstruction/MethodOptions.h"
 
 namespace tissue
 {

@@ -6,11 +6,11 @@
  *=========================================================================*/
 #include "NucleiTessellation/PointTissueInput.h"
 
+#include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Images/ImageInput.h"
+#include "Shared/Points/PointFileReader.h"
 #include "Shared/Reconstruction/JunctionInput.h"
 #include "Shared/Reconstruction/MembraneInput.h"
-#include "Shared/Points/PointFileReader.h"
-#include "Shared/CommandLine/RunProgram.h"
 #include "TissueTessellationCore/Points/PointJunctions.h"
 #include "itkPointSetToTissueLabelImageFilter.h"
 

@@ -6,10 +6,10 @@
  *=========================================================================*/
 // Writes the label image of a synthetic tissue: SyntheticTissue [options] labels.mha
 
-#include "Shared/Files/OutputFiles.h"
-#include "Shared/Points/PointFileWriter.h"
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/CommandLine/RunProgram.h"
+#include "Shared/Files/OutputFiles.h"
+#include "Shared/Points/PointFileWriter.h"
 #include "itkSyntheticNucleiImageFilter.h"
 #include "itkSyntheticTissueImageSource.h"
 

@@ -5,11 +5,11 @@
  *
  *=========================================================================*/
 #include "Shared/CommandLine/OptionChecks.h"
-#include "Shared/Files/OutputFiles.h"
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/TissueInput.h"
+#include "Shared/Files/OutputFiles.h"
 #include "Shared/Images/VisitPixelType.h"
+#include "Shared/Reconstruction/TissueInput.h"
 #include "TissueMeshEvaluation/WallMeshReader.h"
 #include "itkCellWallMeshEvaluationCalculator.h"
 

@@ -5,10 +5,10 @@
  *
  *=========================================================================*/
 // From a segmented 3-D image of a tissue, or one of its membranes, to the triangular mesh of all its cell walls.
-#include "Shared/Reconstruction/MembraneInput.h"
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/TissueInput.h"
+#include "Shared/Reconstruction/MembraneInput.h"
 #include "Shared/Reconstruction/ReconstructionProgram.h"
+#include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellation/TissueTessellationOptions.h"
 
 int

@@ -7,15 +7,13 @@
 #ifndef TissueTessellationVTKWalls_h
 #define TissueTessellationVTKWalls_h
 
-#include "TissueTessellationCore/Mesh/WallMeshIndices.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 #include "TissueTessellationVTK/Arrays.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkTriangle.h>
 #include <vtkTypeFloat64Array.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeUInt8Array.h>
@@ -35,21 +33,6 @@ MakeMeshPoints(const WallMesh & mesh)
     points->SetPoint(static_cast<vtkIdType>(p), mesh.points[p].data());
   }
   return points;
-}
-
-inline std::vector<double>
-ComputeWallAreas(const WallMesh & mesh)
-{
-  std::vector<double> areas(mesh.walls.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const std::array<PointId, 3> & triangle = mesh.triangles[t];
-    double                         normal[3];
-    vtkTriangle::ComputeNormalDirection(
-      mesh.points[triangle[0]].data(), mesh.points[triangle[1]].data(), mesh.points[triangle[2]].data(), normal);
-    areas[mesh.wallOfTriangle[t]] += 0.5 * vtkMath::Norm(normal);
-  }
-  return areas;
 }
 } // namespace bridge
 
@@ -75,7 +58,7 @@ MakeWallPolyData(const WallMesh & mesh, const std::vector<Cell> & cells)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
   const vtkIdType           numberOfTriangles = static_cast<vtkIdType>(mesh.triangles.size());
-  const std::vector<double> areas = bridge::ComputeWallAreas(mesh);
+  const std::vector<double> areas = ComputeWallAreas(mesh);
 
   vtkNew<vtkCellArray> polygons;
   polygons->AllocateExact(numberOfTriangles, 3 * numberOfTriangles);
@@ -85,9 +68,9 @@ MakeWallPolyData(const WallMesh & mesh, const std::vector<Cell> & cells)
   const auto wallArea = bridge::MakeArray<vtkTypeFloat64Array>("WallArea", 1, numberOfTriangles);
   for (vtkIdType t = 0; t < numberOfTriangles; ++t)
   {
-    const std::array<PointId, 3> & triangle = mesh.triangles[t];
-    const WallId                   wall = mesh.wallOfTriangle[t];
-    const VertexPair &             sides = mesh.walls[wall].cells;
+    const Triangle &   triangle = mesh.triangles[t];
+    const WallId       wall = mesh.wallOfTriangle[t];
+    const VertexPair & sides = mesh.walls[wall].cells;
     polygons->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
     label->SetValue(t, cells[sides[0]].label);
     boundaryLabels->SetTypedComponent(t, 0, cells[sides[0]].label);

@@ -5,11 +5,10 @@
  *
  *=========================================================================*/
 #include "LabelInput.h"
-#include "TissueTessellationCore/Evaluation/TissueMeshEvaluation.h"
-
-#include <itkImageRegionIteratorWithIndex.h>
+#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 
 #include <gtest/gtest.h>
+#include <itkImageRegionIteratorWithIndex.h>
 
 namespace
 {

@@ -4,14 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "FourCubes.h"
 #include "TissueTessellationVTKBridge.h"
 
-#include "FourCubes.h"
-
+#include <gtest/gtest.h>
 #include <vtkCell.h>
 #include <vtkIdList.h>
-
-#include <gtest/gtest.h>
 
 #include <map>
 #include <stdexcept>

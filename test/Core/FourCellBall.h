@@ -8,7 +8,6 @@
 #define FourCellBall_h
 
 #include "TestComplexes.h"
-
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
 /** A ball of four equal cells around the origin, whose every corner, line and wall is known: cell i is where the i-th

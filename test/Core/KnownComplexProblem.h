@@ -7,8 +7,8 @@
 #ifndef KnownComplexProblem_h
 #define KnownComplexProblem_h
 
-#include "TissueTessellationCore/Optimization/AnnealingState.h"
-#include "TissueTessellationCore/Complex/ComplexValidity.h"
+#include "Complex/ComplexValidity.h"
+#include "Optimization/AnnealingState.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
 

@@ -7,8 +7,8 @@
 #ifndef RandomMoves_h
 #define RandomMoves_h
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Complex/LocalOperations.h"
+#include "Complex/AdjacencyComplex.h"
+#include "Complex/LocalOperations.h"
 #include "TissueTessellationCore/Common/Random.h"
 
 namespace testing_complexes

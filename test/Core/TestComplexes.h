@@ -7,9 +7,9 @@
 #ifndef TestComplexes_h
 #define TestComplexes_h
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Complex/ComplexValidity.h"
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
+#include "Complex/AdjacencyComplex.h"
+#include "Complex/ComplexValidity.h"
+#include "Complex/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"

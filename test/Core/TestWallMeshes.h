@@ -7,14 +7,13 @@
 #ifndef TestWallMeshes_h
 #define TestWallMeshes_h
 
+#include "Dual/CellCorners.h"
+#include "Dual/DualMesh.h"
+#include "Remeshing/WallRefinement.h"
 #include "TestComplexes.h"
-#include "WallMeshChecks.h"
-
-#include "TissueTessellationCore/Dual/CellCorners.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Dual/DualMesh.h"
-#include "TissueTessellationCore/Common/ParallelFor.h"
-#include "TissueTessellationCore/Remeshing/WallRefinement.h"
+#include "WallMeshChecks.h"
 
 /** Wall meshes for the tests of what is done with them. */
 namespace testing_wall_meshes

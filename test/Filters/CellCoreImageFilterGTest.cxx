@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkCellCoreImageFilter.h"
-
 #include "LabelImageTestHelpers.h"
+#include "itkCellCoreImageFilter.h"
 
 #include <gtest/gtest.h>
 

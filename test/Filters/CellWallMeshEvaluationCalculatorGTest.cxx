@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkCellWallMeshEvaluationCalculator.h"
-
 #include "LabelImageTestHelpers.h"
 #include "SyntheticTestTissue.h"
 #include "VoxelWallMesh.h"
+#include "itkCellWallMeshEvaluationCalculator.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <gtest/gtest.h>

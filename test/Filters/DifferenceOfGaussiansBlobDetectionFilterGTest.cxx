@@ -4,12 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "TissueTessellationCore/Common/Random.h"
 #include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
-
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkSyntheticNucleiImageFilter.h"
 #include "itkSyntheticTissueImageSource.h"
-#include "TissueTessellationCore/Common/Random.h"
 
 #include <gtest/gtest.h>
 

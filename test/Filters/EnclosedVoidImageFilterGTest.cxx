@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "LabelImageFromText.h"
-
 #include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "itkEnclosedVoidImageFilter.h"
 

@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
-
 #include "itkExteriorLabelImageCalculator.h"
 
 #include <gtest/gtest.h>

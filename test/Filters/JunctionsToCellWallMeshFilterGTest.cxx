@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkJunctionsToCellWallMeshFilter.h"
-
 #include "SyntheticTestTissue.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkCommand.h"
+#include "itkJunctionsToCellWallMeshFilter.h"
 #include "itkLabelJunctionExtractionFilter.h"
 
 #include <gtest/gtest.h>

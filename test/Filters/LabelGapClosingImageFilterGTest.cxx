@@ -5,9 +5,8 @@
  *
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
-
-#include "itkLabelGapClosingImageFilter.h"
 #include "TissueTessellationCore/Adjacency/SeparatedCells.h"
+#include "itkLabelGapClosingImageFilter.h"
 
 #include <gtest/gtest.h>
 

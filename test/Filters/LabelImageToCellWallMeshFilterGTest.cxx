@@ -4,12 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkLabelImageToCellWallMeshFilter.h"
-
 #include "SyntheticTestTissue.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkCommand.h"
+#include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <gtest/gtest.h>
 

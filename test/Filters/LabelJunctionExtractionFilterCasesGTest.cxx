@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
-
 #include "itkCommand.h"
 
 #include <gtest/gtest.h>

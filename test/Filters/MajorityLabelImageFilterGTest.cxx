@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkMajorityLabelImageFilter.h"
-
 #include "LabelImageFromText.h"
+#include "itkMajorityLabelImageFilter.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkMembraneToTissueLabelImageFilter.h"
-
 #include "MembraneImage.h"
+#include "itkMembraneToTissueLabelImageFilter.h"
 
 #include <gtest/gtest.h>
 

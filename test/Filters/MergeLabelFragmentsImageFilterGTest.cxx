@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkMergeLabelFragmentsImageFilter.h"
-
 #include "LabelImageFromText.h"
+#include "itkMergeLabelFragmentsImageFilter.h"
 
 #include <gtest/gtest.h>
 

@@ -4,15 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "SyntheticTestTissue.h"
 #include "itkPointSetToTissueLabelImageFilter.h"
 
-#include "SyntheticTestTissue.h"
-
+#include <gtest/gtest.h>
 #include <itkImage.h>
 #include <itkImageRegionConstIterator.h>
 #include <itkLabelImageToShapeLabelMapFilter.h>
-
-#include <gtest/gtest.h>
 
 namespace
 {

@@ -4,15 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "SyntheticTestTissue.h"
 #include "itkSyntheticNucleiImageFilter.h"
 
-#include "SyntheticTestTissue.h"
-
+#include <gtest/gtest.h>
 #include <itkImageRegionConstIteratorWithIndex.h>
 #include <itkImageRegionIterator.h>
 #include <itkLabelImageToShapeLabelMapFilter.h>
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>

@@ -6,7 +6,6 @@
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
 #include "SyntheticTissueTestHelpers.h"
-
 #include "itkImageRegionConstIteratorWithIndex.h"
 
 #include <gtest/gtest.h>

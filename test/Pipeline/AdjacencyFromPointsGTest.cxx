@@ -6,9 +6,8 @@
  *=========================================================================*/
 // What of the adjacency the program for points finds, from centres of cells that are exact and from displaced ones.
 #include "LabelImageTestHelpers.h"
-#include "TissueTessellationProgramTest.h"
-
 #include "TissueTessellationCore/Common/Random.h"
+#include "TissueTessellationProgramTest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,17 +4,16 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
-#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
-#include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Fitting/VolumeFitting.h"
-#include "itkCellWallMeshEvaluationCalculator.h"
-#include "itkLabelImageToCellWallMeshFilter.h"
-
+#include "Fitting/CrossingGuard.h"
+#include "Fitting/VolumeFitting.h"
 #include "SyntheticTestTissue.h"
-#include "itkImageRegionIteratorWithIndex.h"
-#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Common/Random.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
+#include "itkCellWallMeshEvaluationCalculator.h"
+#include "itkImageRegionIteratorWithIndex.h"
+#include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "LabelImageTestHelpers.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
-#include "LabelImageTestHelpers.h"
 
 #include <gtest/gtest.h>
 

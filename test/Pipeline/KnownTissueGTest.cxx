@@ -4,14 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "itkLabelImageToCellWallMeshFilter.h"
 #include "LabelImageTestHelpers.h"
+#include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-
 #include <gtest/gtest.h>
 
 #include <limits>

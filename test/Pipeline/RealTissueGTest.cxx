@@ -8,10 +8,9 @@
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
+#include <gtest/gtest.h>
 #include <itkImageFileReader.h>
 #include <itkMetaImageIO.h>
-
-#include <gtest/gtest.h>
 
 #include <filesystem>
 

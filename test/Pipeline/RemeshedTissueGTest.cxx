@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Remeshing/WallRemeshing.h"
 #include "SyntheticTestTissue.h"
-
-#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
-#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +26,7 @@ TEST(RemeshedTissue, WallsOfAnImageReachTheQualityAtTheWantedNumberOfTriangles)
   const double     wanted = 150.0 * numberOfCells;
   tissue::RemeshToNumberOfTriangles(mesh, wanted);
   EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), wanted, 0.03 * wanted);
-  const tissue::QualitySummary quality = tissue::SummarizeTriangleQuality(mesh);
+  const tissue::QualitySummary quality = tissue::SummarizeTriangleQuality(mesh.points, mesh.triangles);
   EXPECT_GE(quality.mean, 0.92);
   EXPECT_GE(quality.fifthPercentile, 0.75);
   const tissue::CellSurfaceCheck check = tissue::CheckCellSurfaces(mesh, numberOfCells + 1);

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/DelaunayTetrahedralization.h"
 #include "LabelImageTestHelpers.h"
 #include "SyntheticTissueTestHelpers.h"
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,10 @@
 #include "NucleiDetection/BlobPicture.h"
 #include "TemporaryFolder.h"
 
+#include <gtest/gtest.h>
 #include <itkImageFileReader.h>
 #include <itkPNGImageIO.h>
 #include <itkRGBPixel.h>
-
-#include <gtest/gtest.h>
 
 #include <stdexcept>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Shared/Pictures/CellColors.h"
-
 #include "FourCubes.h"
+#include "Shared/Pictures/CellColors.h"
 
 #include <gtest/gtest.h>
 

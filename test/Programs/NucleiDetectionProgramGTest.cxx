@@ -6,8 +6,8 @@
  *=========================================================================*/
 // The program for nuclei, from end to end.
 #include "Shared/Points/PointFileReader.h"
-#include "TissueTessellationProgramTest.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationProgramTest.h"
 
 #include <itkImageRegionIteratorWithIndex.h>
 

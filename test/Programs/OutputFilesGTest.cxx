@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Shared/Files/OutputFiles.h"
-
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>

@@ -5,15 +5,13 @@
  *
  *=========================================================================*/
 #include "Shared/Pictures/PictureView.h"
-
 #include "VoxelWallMesh.h"
 
+#include <gtest/gtest.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Shared/Files/VTKFiles.h"
 #include "Shared/Points/PointFileReader.h"
 #include "Shared/Points/PointFileWriter.h"
 #include "TemporaryFolder.h"
-#include "Shared/Files/VTKFiles.h"
 
 #include <gtest/gtest.h>
 #include <vtkFieldData.h>

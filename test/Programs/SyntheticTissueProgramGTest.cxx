@@ -6,9 +6,9 @@
  *=========================================================================*/
 #include "TemporaryFolder.h"
 
-#include <cstdlib>
-
 #include <sys/wait.h>
+
+#include <cstdlib>
 
 namespace
 {

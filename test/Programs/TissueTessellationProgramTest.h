@@ -10,6 +10,7 @@
 #include "SyntheticTestTissue.h"
 #include "TemporaryFolder.h"
 
+#include <gtest/gtest.h>
 #include <itkGiplImageIO.h>
 #include <itkImageFileWriter.h>
 #include <itkMetaImageIO.h>
@@ -18,14 +19,12 @@
 #include <itkTIFFImageIO.h>
 #include <itkVTKImageIO.h>
 #include <nlohmann/json.hpp>
-#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cstdlib>
 #include <set>
 #include <string>
 #include <vector>
-
-#include <sys/wait.h>
 
 /** Runs the main program, or another one, on images made in code, in a folder of its own. */
 class TissueTessellationAppTest : public TemporaryFolderTest

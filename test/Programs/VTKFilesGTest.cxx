@@ -4,17 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Shared/Files/VTKFiles.h"
-
 #include "FourCubes.h"
 #include "Shared/Files/OutputFiles.h"
+#include "Shared/Files/VTKFiles.h"
 #include "TemporaryFolder.h"
 #include "TissueTessellationVTKBridge.h"
 
+#include <gtest/gtest.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
-
-#include <gtest/gtest.h>
 
 #include <stdexcept>
 

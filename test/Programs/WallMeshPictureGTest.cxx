@@ -4,16 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Shared/Pictures/WallMeshPicture.h"
-
 #include "FourCubes.h"
+#include "Shared/Pictures/PictureObstacle.h"
+#include "Shared/Pictures/WallMeshPicture.h"
 #include "TemporaryFolder.h"
 
+#include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
-
-#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>

@@ -6,8 +6,9 @@
  *=========================================================================*/
 #include "Shared/CommandLine/ProgressBar.h"
 
-#include <cstdio>
 #include <unistd.h>
+
+#include <cstdio>
 
 namespace tissue
 {

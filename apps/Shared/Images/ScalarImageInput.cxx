@@ -6,9 +6,9 @@
  *=========================================================================*/
 #include "Shared/Images/ScalarImageInput.h"
 
+#include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Images/ImageFileCheck.h"
 #include "Shared/Images/ImageInput.h"
-#include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Images/StandardErrorCapture.h"
 
 namespace tissue

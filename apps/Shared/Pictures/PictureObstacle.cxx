@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Pictures/PictureObstacle.h"
 
 #include <vtkRenderingOpenGLConfigure.h>
 

@@ -6,10 +6,11 @@
  *=========================================================================*/
 #include "Shared/Pictures/WallMeshPicture.h"
 
-#include "Shared/Pictures/CellDrawing.h"
-#include "Shared/Pictures/PictureView.h"
-#include "TissueTessellationCore/Mesh/WallMeshIndices.h"
 #include "Shared/Files/VTKFiles.h"
+#include "Shared/Pictures/CellDrawing.h"
+#include "Shared/Pictures/PictureObstacle.h"
+#include "Shared/Pictures/PictureView.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <vtkActor.h>
 #include <vtkActor2D.h>

@@ -24,11 +24,6 @@ struct WallMeshPictureOptions
   std::string lengthUnit = "µm";
 };
 
-/** Why WriteWallMeshPicture cannot work here, and what to do about it; empty where it can. Costs nothing, so it is to
- * be asked before the work: without a display VTK ends the program where it renders. */
-std::string
-FindPictureObstacle();
-
 /** \brief Renders a tissue to a PNG file: cut open on the left, with its cells drawn apart on the right.
  *
  * From the tissue on the left the cells are left out whose centres lie in the quarter that is turned to the viewer; on

@@ -7,8 +7,8 @@
 #include "Shared/Points/PointFileReader.h"
 
 #include "Shared/Points/DelimitedText.h"
-#include "Shared/Points/SlicerMarkups.h"
 #include "Shared/Points/PointTableReader.h"
+#include "Shared/Points/SlicerMarkups.h"
 
 #include <vtkFieldData.h>
 #include <vtkNew.h>

@@ -7,10 +7,10 @@
 #ifndef JunctionInput_h
 #define JunctionInput_h
 
-#include "TissueTessellationCore/Common/Stopwatch.h"
 #include "Shared/Reconstruction/TissueInput.h"
-#include "itkLabelJunctionExtractionFilter.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkLabelImageToLabelVolume.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <algorithm>
 

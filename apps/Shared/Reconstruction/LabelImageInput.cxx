@@ -4,17 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Shared/Reconstruction/TissueInput.h"
-
 #include "Shared/Images/ImageFileCheck.h"
 #include "Shared/Images/ImageInput.h"
-#include "Shared/Reconstruction/JunctionInput.h"
-#include "TissueTessellationCore/Common/Stopwatch.h"
 #include "Shared/Images/StandardErrorCapture.h"
-#include "TissueTessellationCore/Adjacency/SeparatedCells.h"
 #include "Shared/Images/VisitPixelType.h"
+#include "Shared/Reconstruction/JunctionInput.h"
+#include "Shared/Reconstruction/TissueInput.h"
+#include "TissueTessellationCore/Adjacency/SeparatedCells.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkExteriorLabelImageCalculator.h"
-
 #include "itkLabelGapClosingImageFilter.h"
 
 #include <algorithm>

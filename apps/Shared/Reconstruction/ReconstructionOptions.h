@@ -7,6 +7,7 @@
 #ifndef ReconstructionOptions_h
 #define ReconstructionOptions_h
 
+#include "TissueTessellationCore/Common/Types.h"
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 
 #include <array>

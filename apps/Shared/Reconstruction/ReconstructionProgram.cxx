@@ -6,12 +6,13 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionProgram.h"
 
-#include "Shared/Files/OutputFiles.h"
-#include "Shared/Reconstruction/ReconstructionReport.h"
 #include "Shared/CommandLine/RunProgram.h"
-#include "TissueTessellationVTKBridge.h"
+#include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
+#include "Shared/Pictures/PictureObstacle.h"
 #include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Reconstruction/ReconstructionReport.h"
+#include "TissueTessellationVTKBridge.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
 
 #include <itkMultiThreaderBase.h>

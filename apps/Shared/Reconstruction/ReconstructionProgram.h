@@ -8,8 +8,8 @@
 #define TissueProgram_h
 
 #include "Shared/CommandLine/ProgressBar.h"
-#include "Shared/Reconstruction/TissueInput.h"
 #include "Shared/Reconstruction/ReconstructionOptions.h"
+#include "Shared/Reconstruction/TissueInput.h"
 
 #include <nlohmann/json.hpp>
 

@@ -125,7 +125,7 @@ MeshToJson(const ReconstructionReport & report)
   const WallMesh &          mesh = report.reconstruction.walls;
   const CellSurfaceCheck &  check = report.check;
   const std::vector<Cell> & cells = report.input.junctions->GetJunctionSet().cells;
-  const QualitySummary      quality = SummarizeTriangleQuality(mesh);
+  const QualitySummary      quality = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
            { "parts", report.reconstruction.numberOfParts },

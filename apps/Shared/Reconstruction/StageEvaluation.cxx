@@ -68,9 +68,8 @@ ReadJudge(const std::string & path, const std::vector<Cell> & cells, bool isByLa
 StageEvaluation
 EvaluateStages(const TissueReconstruction & reconstruction, const Judge & judge)
 {
-  const ReferenceAdjacency reference(judge.junctions);
-  const auto               evaluate = [&](const std::vector<VertexQuadruple> & tetrahedra) {
-    return ComputeAdjacencyOverlap(tetrahedra, judge.cellOfVertex, reference);
+  const auto evaluate = [&](const std::vector<VertexQuadruple> & tetrahedra) {
+    return ComputeAdjacencyOverlap(tetrahedra, judge.cellOfVertex, judge.junctions);
   };
   return { evaluate(reconstruction.delaunay.tetrahedra),
            evaluate(reconstruction.cleaned.tetrahedra),

@@ -8,7 +8,7 @@
 #define StageEvaluation_h
 
 #include "Shared/Reconstruction/TissueInput.h"
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
 namespace tissue

@@ -117,6 +117,19 @@ struct JunctionSet
     return static_cast<std::size_t>(v) >= cells.size();
   }
 };
+
+/** The wall of two cells, given in any order; nullptr where the image has none. */
+const Wall *
+FindWall(const JunctionSet & junctions, VertexPair cells);
+
+/** The junction of four cells, given in any order; nullptr where the image has none. */
+const Junction *
+FindJunction(const JunctionSet & junctions, VertexQuadruple cells);
+
+/** Median distance of the centres of the cells that share a wall, which default limits are multiples of; 0 where no two
+ * cells do. */
+double
+MedianNeighborDistance(const JunctionSet & junctions);
 } // namespace tissue
 
 #endif

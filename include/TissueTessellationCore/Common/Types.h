@@ -25,6 +25,13 @@ using VertexId = std::int32_t;
  */
 constexpr VertexId ExteriorVertex = 0;
 
+/** Indices of the points and walls of a wall mesh. */
+using PointId = std::int32_t;
+using WallId = std::int32_t;
+
+/** A triangle of a mesh, by its points. */
+using Triangle = std::array<PointId, 3>;
+
 /** Position or vector, in the units and axes of the image's physical space. */
 using Point = std::array<double, 3>;
 

@@ -7,13 +7,15 @@
 #ifndef TissueTessellationCore_SurfaceCleanUp_h
 #define TissueTessellationCore_SurfaceCleanUp_h
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
+#include "TissueTessellationCore/Common/Types.h"
 
 #include <vector>
 
 namespace tissue
 {
+class AdjacencyComplex;
+class ReferenceAdjacency;
+
 struct SurfaceCleanUpParameters
 {
   /** l_max: a surface triangle with a longer edge is oversized. In the units of the centres; must be above 0. */
@@ -43,10 +45,6 @@ SurfaceCleanUpResult
 CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
              const SurfaceCleanUpParameters & parameters);
 
-/** Median distance of the centres of the cells that share a wall, which default limits are multiples of; 0 where no two
- * cells do. */
-double
-MedianNeighborDistance(const JunctionSet & junctions);
 } // namespace tissue
 
 #endif

@@ -7,8 +7,8 @@
 #ifndef TissueTessellationCore_WallDistance_h
 #define TissueTessellationCore_WallDistance_h
 
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
-#include "TissueTessellationCore/Common/ParallelFor.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <vector>

@@ -7,15 +7,15 @@
 #ifndef TissueTessellationCore_WallFitting_h
 #define TissueTessellationCore_WallFitting_h
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Adjacency/JunctionSet.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
-#include "TissueTessellationCore/Common/ParallelFor.h"
-#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 namespace tissue
 {
+class AdjacencyComplex;
+struct JunctionSet;
+struct LabelVolume;
+
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
 {

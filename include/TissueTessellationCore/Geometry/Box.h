@@ -4,16 +4,42 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef TissueTessellationCore_TriangleBox_h
-#define TissueTessellationCore_TriangleBox_h
+#ifndef TissueTessellationCore_Box_h
+#define TissueTessellationCore_Box_h
 
-#include "TissueTessellationCore/Geometry/BoxGrid.h"
-#include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationCore/Common/Types.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace tissue
 {
+/** A box along the axes; of one point where its two corners are equal. */
+struct Box
+{
+  Point lower;
+  Point upper;
+};
+
+inline bool
+Overlap(const Box & a, const Box & b)
+{
+  return a.lower[0] <= b.upper[0] && b.lower[0] <= a.upper[0] && a.lower[1] <= b.upper[1] && b.lower[1] <= a.upper[1] &&
+         a.lower[2] <= b.upper[2] && b.lower[2] <= a.upper[2];
+}
+
+inline void
+Extend(Box & box, const Point & p)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    box.lower[i] = std::min(box.lower[i], p[i]);
+    box.upper[i] = std::max(box.upper[i], p[i]);
+  }
+}
+
 inline Box
-BoxOfTriangle(const std::vector<Point> & points, const std::array<PointId, 3> & triangle)
+BoxOfTriangle(const std::vector<Point> & points, const Triangle & triangle)
 {
   Box box{ points[triangle[0]], points[triangle[0]] };
   Extend(box, points[triangle[1]]);

@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_PointRange_h
 #define TissueTessellationCore_PointRange_h
 
-#include "TissueTessellationCore/Geometry/BoxGrid.h"
+#include "TissueTessellationCore/Geometry/Box.h"
 
 #include <cstddef>
 #include <functional>

@@ -8,9 +8,9 @@
 #define TissueTessellationCore_TriangleQuality_h
 
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <limits>
+#include <vector>
 
 namespace tissue
 {
@@ -47,9 +47,9 @@ struct QualitySummary
   double least = 0.0;
 };
 
-/** All zero for a mesh without triangles. */
+/** All zero without triangles. */
 QualitySummary
-SummarizeTriangleQuality(const WallMesh & mesh);
+SummarizeTriangleQuality(const std::vector<Point> & points, const std::vector<Triangle> & triangles);
 } // namespace tissue
 
 #endif

@@ -8,8 +8,8 @@
 #define TissueTessellationCore_BlockScan_h
 
 #include "TissueTessellationCore/Common/DisjointSets.h"
-#include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "TissueTessellationCore/Common/Types.h"
+#include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "TissueTessellationCore/Image/VertexTupleTable.h"
 
 #include <vector>

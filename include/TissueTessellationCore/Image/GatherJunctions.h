@@ -7,8 +7,8 @@
 #ifndef TissueTessellationCore_GatherJunctions_h
 #define TissueTessellationCore_GatherJunctions_h
 
-#include "TissueTessellationCore/Image/BlockScan.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Image/BlockScan.h"
 
 #include <vector>
 
@@ -25,10 +25,6 @@ JunctionSet
 GatherJunctions(const std::vector<const BlockScan *> & scans, const BlockScan::Index & size, const Point & spacing,
                 const ExteriorLabels & exterior);
 
-/** The junctions of the given quadruples of cells (any order, as vertices of the complex), in ascending order;
- * positions as continuous indices. */
-std::vector<Junction>
-ClusterJunctions(std::vector<BlockScan::Quadruple> quadruples);
 } // namespace tissue
 
 #endif

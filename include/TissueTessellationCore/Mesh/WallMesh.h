@@ -13,9 +13,6 @@
 
 namespace tissue
 {
-using PointId = std::int32_t;
-using WallId = std::int32_t;
-
 /** Numbers of cells, the exterior counted, that meet at a point of a wall mesh. */
 constexpr std::uint8_t CellsWithinWall = 2;
 constexpr std::uint8_t CellsOnLine = 3;
@@ -40,11 +37,24 @@ struct WallMesh
   /** Cells that meet at each point: CellsWithinWall, CellsOnLine (a triple line) or CellsAtCorner (a junction). */
   std::vector<std::uint8_t> numberOfCells;
   /** Point indices. */
-  std::vector<std::array<PointId, 3>> triangles;
+  std::vector<Triangle> triangles;
   /** The wall of each triangle; triangles of a wall are consecutive. */
   std::vector<WallId> wallOfTriangle;
   std::vector<Wall>   walls;
 };
+
+/** The two cells of each wall. */
+std::vector<VertexPair>
+CellsOfWalls(const WallMesh & mesh);
+
+/** \brief Makes sure that a wall mesh of any origin can be read without reaching outside of its lists.
+ *
+ * `numberOfVertices` counts the cells and the exterior, so it is at least 1. WallMesh::numberOfCells may be empty.
+ *
+ * \throws std::invalid_argument otherwise: for lists of different lengths, for a point, wall or cell that is out of
+ * range, and for a wall of a cell with itself. */
+void
+RequireConsistentIndices(const WallMesh & mesh, VertexId numberOfVertices);
 } // namespace tissue
 
 #endif

@@ -7,14 +7,16 @@
 #ifndef TissueTessellationCore_ComplexStatistics_h
 #define TissueTessellationCore_ComplexStatistics_h
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Optimization/EnergyFunction.h"
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
+#include "TissueTessellationCore/Common/Types.h"
+#include "TissueTessellationCore/Optimization/OptimizationParameters.h"
 
 #include <vector>
 
 namespace tissue
 {
+class AdjacencyComplex;
+class ReferenceAdjacency;
+
 /** \brief The columns of the paper's Tables 1 and 2 (section 4.1), and counts, of one stage of the complex. */
 struct ComplexStatistics
 {
@@ -44,7 +46,7 @@ struct ComplexStatistics
 /** `reference` may be null. Ideal numbers of neighbours are those of the parameters. */
 ComplexStatistics
 ComputeStatistics(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                  const ReferenceAdjacency * reference, const EnergyParameters & parameters = EnergyParameters());
+                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
 } // namespace tissue
 
 #endif

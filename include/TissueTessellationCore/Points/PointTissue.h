@@ -8,8 +8,8 @@
 #define TissueTessellationCore_PointTissue_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
-#include "TissueTessellationCore/Common/Progress.h"
-#include "TissueTessellationCore/Points/TissueMask.h"
+#include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Points/TissueGrid.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_TissueGrid_h
 #define TissueTessellationCore_TissueGrid_h
 
-#include "TissueTessellationCore/Geometry/BoxGrid.h"
+#include "TissueTessellationCore/Geometry/Box.h"
 
 #include <cstddef>
 

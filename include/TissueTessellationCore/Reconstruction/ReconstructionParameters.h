@@ -7,8 +7,8 @@
 #ifndef TissueTessellationCore_ReconstructionParameters_h
 #define TissueTessellationCore_ReconstructionParameters_h
 
-#include "TissueTessellationCore/Dual/CellCorners.h"
-#include "TissueTessellationCore/Optimization/TopologyOptimizer.h"
+#include "TissueTessellationCore/Dual/CornerRule.h"
+#include "TissueTessellationCore/Optimization/OptimizationParameters.h"
 
 namespace tissue
 {

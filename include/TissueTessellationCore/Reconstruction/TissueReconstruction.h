@@ -7,12 +7,12 @@
 #ifndef TissueTessellationCore_TissueReconstruction_h
 #define TissueTessellationCore_TissueReconstruction_h
 
-#include "TissueTessellationCore/Reconstruction/CellRemark.h"
-#include "TissueTessellationCore/Optimization/ComplexStatistics.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
-#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Fitting/WallFitting.h"
+#include "TissueTessellationCore/Optimization/ComplexStatistics.h"
+#include "TissueTessellationCore/Reconstruction/CellRemark.h"
+#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 
 namespace tissue
 {

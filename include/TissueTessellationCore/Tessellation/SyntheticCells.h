@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_SyntheticCells_h
 #define TissueTessellationCore_SyntheticCells_h
 
-#include "TissueTessellationCore/Common/Progress.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Tessellation/TissueSamples.h"
 
 #include <cstdint>

@@ -7,8 +7,8 @@
 #ifndef TissueTessellationCore_TissueSamples_h
 #define TissueTessellationCore_TissueSamples_h
 
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Tessellation/AnisotropicTessellation.h"
-#include "TissueTessellationCore/Common/ParallelFor.h"
 
 #include <vector>
 

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Adjacency/TissueParts.h"
+#include "Adjacency/TissueParts.h"
 
+#include "Geometry/ExactPredicates.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

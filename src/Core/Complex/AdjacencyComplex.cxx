@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
+#include "Complex/AdjacencyComplex.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/ComplexValidity.h"
+#include "Complex/ComplexValidity.h"
 
 #include <algorithm>
 #include <map>

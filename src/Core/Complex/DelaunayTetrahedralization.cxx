@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
+#include "Complex/DelaunayTetrahedralization.h"
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
+#include "Complex/AdjacencyComplex.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/LocalOperations.h"
+#include "Complex/LocalOperations.h"
 
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
-#include "TissueTessellationCore/Complex/RelativeExterior.h"
+#include "Complex/RelativeExterior.h"
+#include "Geometry/ExactPredicates.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

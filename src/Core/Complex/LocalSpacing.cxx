@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
+#include "Complex/LocalSpacing.h"
 
-#include "TissueTessellationCore/Common/Algorithms.h"
+#include "Common/Algorithms.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

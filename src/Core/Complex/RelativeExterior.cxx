@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Complex/RelativeExterior.h"
+#include "Complex/RelativeExterior.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

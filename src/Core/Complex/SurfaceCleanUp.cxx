@@ -6,12 +6,12 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
-#include "TissueTessellationCore/Complex/LocalOperations.h"
-#include "TissueTessellationCore/Common/Algorithms.h"
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
+#include "Complex/LocalOperations.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace tissue
 {
@@ -125,21 +125,4 @@ CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers, con
   return CleanUp(complex, centers, reference, parameters).Run();
 }
 
-double
-MedianNeighborDistance(const JunctionSet & junctions)
-{
-  std::vector<double> distances;
-  for (const Wall & wall : junctions.walls)
-  {
-    if (wall.cells[0] != ExteriorVertex && !junctions.IsVoid(wall.cells[1]))
-    {
-      distances.push_back(Distance(junctions.cells[wall.cells[0]].center, junctions.cells[wall.cells[1]].center));
-    }
-  }
-  if (distances.empty())
-  {
-    return 0.0;
-  }
-  return Median(std::move(distances));
-}
 } // namespace tissue

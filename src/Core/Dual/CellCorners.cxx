@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Dual/CellCorners.h"
+#include "Dual/CellCorners.h"
 
-#include "TissueTessellationCore/Adjacency/JunctionLookup.h"
-#include "TissueTessellationCore/Dual/SurfaceLift.h"
+#include "Dual/SurfaceLift.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

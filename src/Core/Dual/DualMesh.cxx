@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Dual/DualMesh.h"
+#include "Dual/DualMesh.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

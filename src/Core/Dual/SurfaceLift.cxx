@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Dual/SurfaceLift.h"
+#include "Dual/SurfaceLift.h"
 
-#include "TissueTessellationCore/Common/Algorithms.h"
-#include "TissueTessellationCore/Complex/RelativeExterior.h"
+#include "Common/Algorithms.h"
+#include "Complex/RelativeExterior.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 namespace tissue

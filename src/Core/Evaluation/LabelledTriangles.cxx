@@ -16,10 +16,10 @@ namespace tissue
 {
 namespace
 {
-using Triangle = LabelledTriangles::Triangle;
+using LabelledTriangle = LabelledTriangles::Triangle;
 
-Triangle
-Orient(Triangle triangle)
+LabelledTriangle
+Orient(LabelledTriangle triangle)
 {
   const bool isExteriorFirst = triangle.cells[0] == ExteriorVertex;
   const bool isExteriorSecond = triangle.cells[1] == ExteriorVertex;
@@ -49,7 +49,7 @@ Check(const LabelledTriangles & mesh)
 {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const Triangle & triangle = mesh.triangles[t];
+    const LabelledTriangle & triangle = mesh.triangles[t];
     if (triangle.cells[0] == triangle.cells[1])
     {
       throw std::invalid_argument("triangle " + std::to_string(t) + " has cell " + std::to_string(triangle.cells[0]) +
@@ -130,14 +130,15 @@ WallMesh
 MakeWallMesh(const LabelledTriangles & mesh)
 {
   Check(mesh);
-  std::vector<Triangle> triangles(mesh.triangles.size());
+  std::vector<LabelledTriangle> triangles(mesh.triangles.size());
   std::transform(mesh.triangles.begin(), mesh.triangles.end(), triangles.begin(), Orient);
-  std::stable_sort(
-    triangles.begin(), triangles.end(), [](const Triangle & a, const Triangle & b) { return a.cells < b.cells; });
+  std::stable_sort(triangles.begin(), triangles.end(), [](const LabelledTriangle & a, const LabelledTriangle & b) {
+    return a.cells < b.cells;
+  });
 
   constexpr PointId    unused = -1;
   std::vector<PointId> newIds(mesh.points.size(), unused);
-  for (const Triangle & triangle : triangles)
+  for (const LabelledTriangle & triangle : triangles)
   {
     for (const PointId p : triangle.points)
     {
@@ -153,7 +154,7 @@ MakeWallMesh(const LabelledTriangles & mesh)
       result.points.push_back(mesh.points[p]);
     }
   }
-  for (const Triangle & triangle : triangles)
+  for (const LabelledTriangle & triangle : triangles)
   {
     if (result.walls.empty() || result.walls.back().cells != triangle.cells)
     {

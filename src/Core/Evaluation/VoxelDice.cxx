@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Evaluation/VoxelDice.h"
+#include "Evaluation/VoxelDice.h"
 
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "Geometry/ExactPredicates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Evaluation/WallDistance.h"
 
-#include "TissueTessellationCore/Image/PlaceTree.h"
+#include "Image/ImagePlaces.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <cmath>
@@ -23,7 +23,7 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
     double distance = 0.0;
     double falseArea = 0.0;
   };
-  const ImagePlaces        faces = CollectImageFaces(labels, walls.walls);
+  const ImagePlaces        faces = CollectImageFaces(labels, CellsOfWalls(walls));
   std::vector<std::size_t> first(walls.walls.size() + 1, 0); // triangles of a wall are consecutive
   for (const WallId wall : walls.wallOfTriangle)
   {
@@ -36,7 +36,7 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
   std::vector<Sums> sumsOfWall(walls.walls.size());
   RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
     const PlaceTree       places(faces.Begin(w), faces.End(w));
-    const AreaAndDistance sums = IntegrateDistance(walls, first[w], first[w + 1], places);
+    const AreaAndDistance sums = IntegrateDistance(walls.points, walls.triangles, first[w], first[w + 1], places);
     sumsOfWall[w] = places.IsEmpty() ? Sums{ 0.0, 0.0, sums.area } : Sums{ sums.area, sums.distance, 0.0 };
   });
 

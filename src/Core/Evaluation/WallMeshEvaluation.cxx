@@ -5,14 +5,18 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
+#include "Mesh/Crossings.h"
+#include "Adjacency/ReferenceAdjacency.h"
 
+#include "Evaluation/VoxelDice.h"
+#include "Fitting/CrossingGuard.h"
+#include "Geometry/ConvexHull.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Geometry/ConvexHull.h"
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -217,8 +221,26 @@ EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Pa
   SumUpCells(evaluation);
   const auto quadruples = CollectQuadruples(walls, numberOfVertices, evaluation);
   evaluation.overlap = ComputeOverlap(CollectPairs(walls, numberOfVertices), quadruples, ReferenceAdjacency(junctions));
-  evaluation.quality = SummarizeTriangleQuality(walls);
+  evaluation.quality = SummarizeTriangleQuality(walls.points, walls.triangles);
   evaluation.numberOfCrossings = FindCrossings(walls, parallelFor).size();
+  return evaluation;
+}
+
+TissueMeshEvaluation
+EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels,
+                   const ParallelFor & parallelFor)
+{
+  if (junctions.cells.size() < 2)
+  {
+    throw std::invalid_argument("the image has no cell to judge a mesh by");
+  }
+  const auto           numberOfVertices = static_cast<VertexId>(junctions.cells.size());
+  TissueMeshEvaluation evaluation;
+  evaluation.mesh = EvaluateWallMesh(walls, junctions, parallelFor);
+  evaluation.distance = MeasureWallDistance(walls, numberOfVertices, labels, parallelFor);
+  evaluation.dice = ComputeVoxelDice(walls, numberOfVertices, labels, parallelFor);
+  evaluation.meanDice = std::accumulate(evaluation.dice.begin() + 1, evaluation.dice.end(), 0.0) /
+                        static_cast<double>(evaluation.mesh.numberOfCells);
   return evaluation;
 }
 } // namespace tissue

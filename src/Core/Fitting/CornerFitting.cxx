@@ -4,11 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/CornerFitting.h"
+#include "Fitting/CornerFitting.h"
 
-#include "TissueTessellationCore/Dual/CellCorners.h"
-#include "TissueTessellationCore/Dual/DualMesh.h"
-#include "TissueTessellationCore/Adjacency/JunctionLookup.h"
+#include "Dual/CellCorners.h"
+#include "Dual/DualMesh.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

@@ -4,12 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/CrossingWalls.h"
+#include "Fitting/CrossingWalls.h"
+#include "Mesh/Crossings.h"
 
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
+#include "Fitting/CrossingGuard.h"
+#include "Mesh/WallPieces.h"
+#include "Remeshing/WallRemeshing.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallPieces.h"
-#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
 
 #include <map>
 #include <set>

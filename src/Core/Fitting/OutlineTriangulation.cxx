@@ -4,14 +4,14 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/OutlineTriangulation.h"
+#include "Fitting/OutlineTriangulation.h"
 
-#include "TissueTessellationCore/Image/PlaceTree.h"
-#include "TissueTessellationCore/Geometry/PolygonTriangulation.h"
+#include "Geometry/PolygonTriangulation.h"
+#include "Image/ImagePlaces.h"
+#include "Mesh/WallLines.h"
+#include "Mesh/WallPatch.h"
+#include "Mesh/WallPieces.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
-#include "TissueTessellationCore/Mesh/WallPatch.h"
-#include "TissueTessellationCore/Mesh/WallPieces.h"
 
 namespace tissue
 {
@@ -95,7 +95,7 @@ TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolera
   RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
     pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
     const PlaceTree       places(faces.Begin(w), faces.End(w));
-    const AreaAndDistance sums = IntegrateDistance(mesh, first[w], first[w + 1], places);
+    const AreaAndDistance sums = IntegrateDistance(mesh.points, mesh.triangles, first[w], first[w + 1], places);
     if (places.IsEmpty() || !(sums.distance > tolerance * sums.area))
     {
       return;

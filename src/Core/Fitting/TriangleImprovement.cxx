@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/TriangleImprovement.h"
+#include "Fitting/TriangleImprovement.h"
 
+#include "Mesh/WallLines.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
 
 #include <algorithm>
 #include <limits>

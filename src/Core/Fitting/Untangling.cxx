@@ -4,12 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/Untangling.h"
+#include "Fitting/Untangling.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "Mesh/Crossings.h"
+#include "Geometry/BoxGrid.h"
 
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
+#include "Fitting/CrossingGuard.h"
+#include "Geometry/TriangleCrossing.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Box.h"
-#include "TissueTessellationCore/Geometry/TriangleCrossing.h"
 
 #include <map>
 #include <set>

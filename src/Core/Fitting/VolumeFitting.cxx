@@ -4,9 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/VolumeFitting.h"
+#include "Fitting/VolumeFitting.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <algorithm>
 #include <functional>
@@ -213,25 +214,6 @@ SolveForPressures(const PressureMatrix & matrix, std::vector<double> residual)
   return pressures;
 }
 } // namespace
-
-std::vector<double>
-ComputeVolumes(const WallMesh & mesh, std::size_t numberOfVertices)
-{
-  std::vector<double> volumes(numberOfVertices, 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const auto & triangle = mesh.triangles[t];
-    const auto & origin = mesh.points.front();
-    const double volume = Dot(mesh.points[triangle[0]] - origin,
-                              Cross(mesh.points[triangle[1]] - origin, mesh.points[triangle[2]] - origin)) /
-                          6.0;
-    const VertexPair & cells = mesh.walls[mesh.wallOfTriangle[t]].cells;
-    volumes[cells[0]] += volume;
-    volumes[cells[1]] -= volume;
-  }
-  volumes[ExteriorVertex] = 0.0;
-  return volumes;
-}
 
 void
 FitVolumes(WallMesh & mesh, const std::vector<double> & volumes, double largestShare)

@@ -5,24 +5,27 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Fitting/WallFitting.h"
+#include "Mesh/Crossings.h"
 
-#include "TissueTessellationCore/Fitting/CornerFitting.h"
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
-#include "TissueTessellationCore/Fitting/CrossingWalls.h"
-#include "TissueTessellationCore/Dual/DualMesh.h"
-#include "TissueTessellationCore/Adjacency/JunctionLookup.h"
-#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
-#include "TissueTessellationCore/Fitting/OutlineTriangulation.h"
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
-#include "TissueTessellationCore/Geometry/SpatialOrder.h"
-#include "TissueTessellationCore/Mesh/SpatialWallOrder.h"
-#include "TissueTessellationCore/Fitting/TriangleImprovement.h"
-#include "TissueTessellationCore/Fitting/Untangling.h"
+#include "Complex/AdjacencyComplex.h"
+#include "Dual/DualMesh.h"
+#include "Fitting/CornerFitting.h"
+#include "Fitting/CrossingGuard.h"
+#include "Fitting/CrossingWalls.h"
+#include "Fitting/OutlineTriangulation.h"
+#include "Fitting/TriangleImprovement.h"
+#include "Fitting/Untangling.h"
+#include "Fitting/VolumeFitting.h"
+#include "Fitting/WallProjection.h"
+#include "Geometry/SpatialOrder.h"
+#include "Mesh/WallMeshOrder.h"
+#include "Remeshing/LineSubdivision.h"
+#include "Remeshing/WallEdgeLengths.h"
+#include "Remeshing/WallRemeshing.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Fitting/VolumeFitting.h"
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
-#include "TissueTessellationCore/Fitting/WallProjection.h"
-#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <cmath>
 #include <numeric>
@@ -45,17 +48,6 @@ constexpr int LastVolumeSteps = 10;
 constexpr double          VolumeTolerance = 1e-9;
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
-
-double
-AreaOf(const WallMesh & mesh)
-{
-  double area = 0.0;
-  for (const auto & t : mesh.triangles)
-  {
-    area += TriangleArea(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  }
-  return area;
-}
 
 class Fitter
 {
@@ -82,8 +74,8 @@ public:
     WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
     const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
     this->OrderSpatially(mesh, numberOfCorners);
-    const double triangleArea = AreaOf(mesh) / static_cast<double>(mesh.triangles.size());
-    m_Faces = CollectImageFaces(m_Volume, mesh.walls);
+    const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
+    m_Faces = CollectImageFaces(m_Volume, CellsOfWalls(mesh));
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
     this->CountUnfitted(complex, unfitted, statistics);
@@ -112,7 +104,7 @@ public:
     const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
     Report(m_Progress, StarShare);
     std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
-    double              area = AreaOf(mesh);
+    double              area = ComputeArea(mesh);
     WallProjection      projection(mesh, m_Volume, m_Field, m_Faces, lengths, m_Anchors);
     for (std::size_t meshing = 0; meshing < std::size(RoundsPerMeshing); ++meshing)
     {
@@ -243,12 +235,12 @@ private:
   {
     const WallMesh old = mesh;
     const double   ratio = static_cast<double>(old.triangles.size()) / wanted;
-    const double   growth = AreaOf(mesh) / area;
+    const double   growth = ComputeArea(mesh) / area;
     for (double & length : lengths)
     {
       length *= std::sqrt(ratio * growth);
     }
-    area = AreaOf(mesh);
+    area = ComputeArea(mesh);
     RemeshWalls(mesh, lengths, m_ParallelFor);
     MendCrossingWalls(mesh, old, m_ParallelFor);
   }

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/WallProjection.h"
+#include "Fitting/WallProjection.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

@@ -4,7 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/BoxGrid.h"
+#include "Geometry/BoxGrid.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include <cmath>
 
 #include <limits>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/SpatialOrder.h"
+#include "Geometry/SpatialOrder.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/TriangleCrossing.h"
+#include "Geometry/TriangleCrossing.h"
 
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "Geometry/ExactPredicates.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -15,8 +15,6 @@ namespace tissue
 {
 namespace
 {
-using Triangle = std::array<PointId, 3>;
-
 /** Orientation(), by floating-point numbers where their rounding cannot change the sign
  * (J. R. Shewchuk, Adaptive precision floating-point arithmetic, 1997, doi:10.1007/PL00009321). */
 int

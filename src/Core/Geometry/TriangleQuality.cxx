@@ -42,14 +42,14 @@ TriangleDistortionGradient(const Point & a, const Point & b, const Point & c)
 }
 
 QualitySummary
-SummarizeTriangleQuality(const WallMesh & mesh)
+SummarizeTriangleQuality(const std::vector<Point> & points, const std::vector<Triangle> & triangles)
 {
   QualitySummary      summary;
   std::vector<double> qualities;
-  qualities.reserve(mesh.triangles.size());
-  for (const auto & t : mesh.triangles)
+  qualities.reserve(triangles.size());
+  for (const auto & t : triangles)
   {
-    qualities.push_back(TriangleQuality(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+    qualities.push_back(TriangleQuality(points[t[0]], points[t[1]], points[t[2]]));
   }
   if (!qualities.empty())
   {

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Image/GatherJunctions.h"
+#include "Image/ClusterJunctions.h"
 
 #include <algorithm>
 

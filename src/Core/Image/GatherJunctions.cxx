@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Image/GatherJunctions.h"
 
+#include "Image/ClusterJunctions.h"
+
 #include <algorithm>
 #include <iterator>
 

@@ -5,7 +5,8 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Mesh/WallMeshIndices.h"
+
+#include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <algorithm>
 #include <cmath>

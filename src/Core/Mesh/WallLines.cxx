@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Mesh/WallLines.h"
+#include "Mesh/WallLines.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Mesh/WallPieces.h"
+#include "Mesh/WallPieces.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/AnnealingState.h"
+#include "Optimization/AnnealingState.h"
 
 #include <algorithm>
 

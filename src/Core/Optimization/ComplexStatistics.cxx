@@ -6,7 +6,10 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Optimization/ComplexStatistics.h"
 
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
+#include "Geometry/ExactPredicates.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

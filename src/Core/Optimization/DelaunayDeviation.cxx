@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/DelaunayDeviation.h"
+#include "Optimization/DelaunayDeviation.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

@@ -4,9 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/EnergyFunction.h"
+#include "Optimization/EnergyFunction.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
+#include "Complex/LocalSpacing.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

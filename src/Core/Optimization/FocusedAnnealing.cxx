@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/FocusedAnnealing.h"
+#include "Optimization/FocusedAnnealing.h"
 
 namespace tissue
 {

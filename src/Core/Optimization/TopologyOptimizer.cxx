@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/TopologyOptimizer.h"
+#include "Optimization/TopologyOptimizer.h"
 
 #include <algorithm>
 #include <cmath>

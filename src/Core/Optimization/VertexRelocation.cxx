@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/VertexRelocation.h"
+#include "Optimization/VertexRelocation.h"
 
 #include <algorithm>
 #include <limits>

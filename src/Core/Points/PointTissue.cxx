@@ -6,13 +6,13 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Points/PointTissue.h"
 
-#include "TissueTessellationCore/Tessellation/CentroidFit.h"
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
-#include "TissueTessellationCore/Common/Algorithms.h"
+#include "Common/Algorithms.h"
+#include "Complex/DelaunayTetrahedralization.h"
+#include "Complex/LocalSpacing.h"
+#include "Points/TissueSurface.h"
+#include "Points/TissueVotes.h"
+#include "Tessellation/CentroidFit.h"
 #include "TissueTessellationCore/Geometry/PointRange.h"
-#include "TissueTessellationCore/Points/TissueSurface.h"
-#include "TissueTessellationCore/Points/TissueVotes.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/TissueMask.h"
+#include "Points/TissueMask.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

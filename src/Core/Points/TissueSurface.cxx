@@ -4,12 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/TissueSurface.h"
+#include "Points/TissueSurface.h"
 
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
-#include "TissueTessellationCore/Common/Algorithms.h"
-#include "TissueTessellationCore/Points/MirroredCenters.h"
+#include "Common/Algorithms.h"
+#include "Complex/DelaunayTetrahedralization.h"
+#include "Complex/LocalSpacing.h"
+#include "Points/MirroredCenters.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 

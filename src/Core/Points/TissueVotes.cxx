@@ -4,11 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/TissueVotes.h"
+#include "Points/TissueVotes.h"
 
-#include "TissueTessellationCore/Image/BlockScan.h"
 #include "TissueTessellationCore/Common/Random.h"
-#include "TissueTessellationCore/Geometry/SymmetricEigen.h"
+#include "TissueTessellationCore/Geometry/Metric.h"
+#include "TissueTessellationCore/Image/BlockScan.h"
 
 #include <algorithm>
 #include <cmath>

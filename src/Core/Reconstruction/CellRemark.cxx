@@ -6,8 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/CellRemark.h"
 
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
 
 #include <algorithm>
 #include <map>

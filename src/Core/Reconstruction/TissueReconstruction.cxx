@@ -5,17 +5,22 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
+#include "Reconstruction/VoidMerging.h"
+#include "Optimization/TopologyOptimizer.h"
+#include "Dual/CellCorners.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
+#include "Adjacency/ReferenceAdjacency.h"
 
-#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Complex/DelaunayTetrahedralization.h"
-#include "TissueTessellationCore/Dual/DualMesh.h"
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
-#include "TissueTessellationCore/Common/Stopwatch.h"
-#include "TissueTessellationCore/Geometry/SpatialOrder.h"
-#include "TissueTessellationCore/Adjacency/TissueParts.h"
-#include "TissueTessellationCore/Geometry/Vector.h"
+#include "Adjacency/TissueParts.h"
+#include "Complex/DelaunayTetrahedralization.h"
+#include "Complex/LocalSpacing.h"
+#include "Dual/DualMesh.h"
+#include "Geometry/SpatialOrder.h"
+#include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
-#include "TissueTessellationCore/Remeshing/WallRefinement.h"
+#include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <algorithm>
 #include <cmath>

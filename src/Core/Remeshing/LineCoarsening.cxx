@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/LineCoarsening.h"
+#include "Remeshing/LineCoarsening.h"
 
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 

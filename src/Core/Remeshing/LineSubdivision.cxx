@@ -4,13 +4,13 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
+#include "Remeshing/LineSubdivision.h"
 
-#include "TissueTessellationCore/Remeshing/LineCoarsening.h"
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
+#include "Mesh/WallLines.h"
+#include "Mesh/WallMeshOrder.h"
+#include "Remeshing/LineCoarsening.h"
+#include "Remeshing/WallEdgeLengths.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/PatchRemesher.h"
+#include "Remeshing/PatchRemesher.h"
 
-#include "TissueTessellationCore/Mesh/PatchMeasures.h"
+#include "Mesh/WallPatch.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 
 #include <algorithm>

@@ -4,10 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
+#include "Remeshing/WallEdgeLengths.h"
 
-#include "TissueTessellationCore/Common/Algorithms.h"
+#include "Common/Algorithms.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -18,18 +19,6 @@ namespace tissue
 {
 namespace
 {
-std::vector<double>
-AreasOfWalls(const WallMesh & mesh)
-{
-  std::vector<double> areas(mesh.walls.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const auto & triangle = mesh.triangles[t];
-    areas[mesh.wallOfTriangle[t]] +=
-      TriangleArea(mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]);
-  }
-  return areas;
-}
 
 /** What the number of triangles depends on. */
 struct Measures
@@ -103,7 +92,7 @@ ChooseEdgeLengths(const WallMesh & mesh, double numberOfTriangles, const std::ve
   {
     throw std::invalid_argument("ChooseEdgeLengths: no triangles wanted, or not one factor for each wall");
   }
-  Measures measures{ AreasOfWalls(mesh), CollectWallLines(mesh), {} };
+  Measures measures{ ComputeWallAreas(mesh), CollectWallLines(mesh), {} };
   double   area = 0.0;
   for (std::size_t w = 0; w < measures.areas.size(); ++w)
   {

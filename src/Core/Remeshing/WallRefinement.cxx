@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/WallRefinement.h"
+#include "Remeshing/WallRefinement.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

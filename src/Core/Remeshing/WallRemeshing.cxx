@@ -4,16 +4,16 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
+#include "Remeshing/WallRemeshing.h"
 
-#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
-#include "TissueTessellationCore/Mesh/PatchMeasures.h"
-#include "TissueTessellationCore/Remeshing/PatchRemesher.h"
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
+#include "Mesh/WallLines.h"
+#include "Mesh/WallMeshOrder.h"
+#include "Mesh/WallPatch.h"
+#include "Mesh/WallPieces.h"
+#include "Remeshing/LineSubdivision.h"
+#include "Remeshing/PatchRemesher.h"
+#include "Remeshing/WallEdgeLengths.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
-#include "TissueTessellationCore/Mesh/WallPieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Tessellation/CellMoments.h"
+#include "Tessellation/CellMoments.h"
 
 #include <algorithm>
 

@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Tessellation/CentroidFit.h"
+#include "Tessellation/CentroidFit.h"
 
-#include "TissueTessellationCore/Geometry/SymmetricEigen.h"
+#include "TissueTessellationCore/Geometry/Metric.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <cmath>
@@ -14,6 +14,30 @@
 
 namespace tissue
 {
+std::vector<Metric>
+SmoothMetrics(std::vector<Metric> metrics, const CellNeighbors & neighbors, int numberOfPasses,
+              const ParallelFor & parallelFor)
+{
+  std::vector<Metric> means(metrics.size());
+  for (int pass = 0; pass < numberOfPasses; ++pass)
+  {
+    RunFor(parallelFor, metrics.size(), [&](std::size_t cell) {
+      Metric mean = metrics[cell];
+      for (std::size_t k = 0; k < mean.size(); ++k)
+      {
+        for (const std::size_t neighbor : neighbors[cell])
+        {
+          mean[k] += metrics[neighbor][k];
+        }
+        mean[k] /= static_cast<double>(neighbors[cell].size() + 1);
+      }
+      means[cell] = mean;
+    });
+    metrics.swap(means);
+  }
+  return metrics;
+}
+
 namespace
 {
 constexpr Metric NoShape = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };

@@ -5,7 +5,8 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Tessellation/SyntheticCells.h"
-#include "TissueTessellationCore/Tessellation/CellMoments.h"
+
+#include "Tessellation/CellMoments.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 

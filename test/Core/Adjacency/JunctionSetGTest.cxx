@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Adjacency/JunctionLookup.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 
 #include <gtest/gtest.h>
 

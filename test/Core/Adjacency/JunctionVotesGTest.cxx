@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Adjacency/JunctionVotes.h"
+#include "Adjacency/ReferenceAdjacency.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Adjacency/QuadrupleSet.h"
+#include "Adjacency/QuadrupleSet.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Adjacency/ReferenceAdjacency.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Adjacency/ReferenceAdjacency.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Adjacency/TissueParts.h"
+#include "Adjacency/TissueParts.h"
 
 #include <gtest/gtest.h>
 

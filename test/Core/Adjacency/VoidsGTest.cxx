@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/AdjacencyComplex.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
-
-#include "TissueTessellationCore/Complex/AdjacencyComplex.h"
 
 #include <gtest/gtest.h>
 

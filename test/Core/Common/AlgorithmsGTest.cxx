@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Common/Algorithms.h"
+#include "Common/Algorithms.h"
 
 #include <gtest/gtest.h>
 

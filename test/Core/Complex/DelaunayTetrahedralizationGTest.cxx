@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Geometry/ExactPredicates.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
 
 #include <gtest/gtest.h>
 

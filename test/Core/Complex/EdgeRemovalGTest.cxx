@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/LocalOperations.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Complex/LocalOperations.h"
 
 #include <gtest/gtest.h>
 

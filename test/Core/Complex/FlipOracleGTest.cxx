@@ -10,7 +10,6 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
 #include <CGAL/Triangulation_ds_vertex_base_3.h>
-
 #include <gtest/gtest.h>
 
 #include <map>

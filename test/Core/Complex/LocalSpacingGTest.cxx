@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/LocalSpacing.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
 
 #include <gtest/gtest.h>
 

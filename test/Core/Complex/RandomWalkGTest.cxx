@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Geometry/ExactPredicates.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/LocalOperations.h"
+#include "Complex/RelativeExterior.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Complex/LocalOperations.h"
-
-#include "TissueTessellationCore/Complex/RelativeExterior.h"
 
 #include <gtest/gtest.h>
 

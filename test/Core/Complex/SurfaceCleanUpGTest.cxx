@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TestComplexes.h"
-
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
 #include <gtest/gtest.h>

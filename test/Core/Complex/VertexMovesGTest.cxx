@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/ComplexValidity.h"
+#include "Complex/LocalOperations.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Complex/ComplexValidity.h"
-#include "TissueTessellationCore/Complex/LocalOperations.h"
 
 #include <gtest/gtest.h>
 

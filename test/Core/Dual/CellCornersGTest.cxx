@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Dual/CellCorners.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Dual/CellCorners.h"
 
 #include <gtest/gtest.h>
 
@@ -27,22 +26,24 @@ ExpectNear(const Point & found, const Point & expected, double tolerance = 1e-12
 }
 
 using Tetrahedron = std::array<Point, 4>;
-using Triangle = std::array<Point, 3>;
+using TrianglePoints = std::array<Point, 3>;
 } // namespace
 
 TEST(CellCorners, OfAnAcuteTriangleTheCircumcentre)
 {
   const double height = std::sqrt(3.0);
-  ExpectNear(ProjectedCircumcenter(Triangle{ { { { -1, 0, 5 } }, { { 1, 0, 5 } }, { { 0, height, 5 } } } }),
+  ExpectNear(ProjectedCircumcenter(TrianglePoints{ { { { -1, 0, 5 } }, { { 1, 0, 5 } }, { { 0, height, 5 } } } }),
              { { 0, height / 3.0, 5 } });
 }
 
 TEST(CellCorners, OfAnObtuseOrRightTriangleTheMiddleOfItsLongestEdge)
 {
-  ExpectNear(ProjectedCircumcenter(Triangle{ { { { -2, 0, 0 } }, { { 2, 0, 0 } }, { { 1, 0.5, 0 } } } }),
+  ExpectNear(ProjectedCircumcenter(TrianglePoints{ { { { -2, 0, 0 } }, { { 2, 0, 0 } }, { { 1, 0.5, 0 } } } }),
              { { 0, 0, 0 } });
-  ExpectNear(ProjectedCircumcenter(Triangle{ { { { 0, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } } } }), { { 1, 1, 0 } });
-  ExpectNear(ProjectedCircumcenter(Triangle{ { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 4, 0, 0 } } } }), { { 2, 0, 0 } });
+  ExpectNear(ProjectedCircumcenter(TrianglePoints{ { { { 0, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 2, 0 } } } }),
+             { { 1, 1, 0 } });
+  ExpectNear(ProjectedCircumcenter(TrianglePoints{ { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 4, 0, 0 } } } }),
+             { { 2, 0, 0 } });
 }
 
 TEST(CellCorners, OfARegularTetrahedronTheCircumcentre)

@@ -4,12 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Dual/CellCorners.h"
+#include "Dual/DualMesh.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
 #include "WallMeshChecks.h"
-
-#include "TissueTessellationCore/Dual/CellCorners.h"
-#include "TissueTessellationCore/Dual/DualMesh.h"
 
 #include <gtest/gtest.h>
 

@@ -4,13 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Dual/SurfaceLift.h"
-
-#include "TissueTessellationCore/Dual/CellCorners.h"
+#include "Dual/CellCorners.h"
+#include "Dual/SurfaceLift.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Points/PointJunctions.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
-#include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Evaluation/VoxelDice.h"
+#include "Evaluation/VoxelDice.h"
 #include "TestWallMeshes.h"
 #include "VoxelWallMesh.h"
 

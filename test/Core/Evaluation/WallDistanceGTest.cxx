@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Evaluation/WallDistance.h"
-
 #include "TissueTessellationCore/Common/Random.h"
+#include "TissueTessellationCore/Evaluation/WallDistance.h"
 
 #include <gtest/gtest.h>
 

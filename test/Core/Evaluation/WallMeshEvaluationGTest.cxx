@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
-
 #include "FourCubes.h"
 #include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
+#include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/CornerFitting.h"
 #include "FourCellBall.h"
-
-#include "TissueTessellationCore/Fitting/CornerFitting.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
-
-#include "TissueTessellationCore/Geometry/TriangleCrossing.h"
-#include "TissueTessellationCore/Fitting/Untangling.h"
+#include "Fitting/CrossingGuard.h"
+#include "Fitting/Untangling.h"
+#include "Geometry/TriangleCrossing.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/CrossingGuard.h"
+#include "Fitting/CrossingWalls.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Fitting/CrossingGuard.h"
-#include "TissueTessellationCore/Fitting/CrossingWalls.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/OutlineTriangulation.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Fitting/OutlineTriangulation.h"
 
 #include <gtest/gtest.h>
 

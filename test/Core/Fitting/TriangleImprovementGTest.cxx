@@ -4,13 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/TriangleImprovement.h"
+#include "Mesh/WallLines.h"
+#include "Remeshing/LineSubdivision.h"
+#include "Remeshing/WallRemeshing.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
-#include "TissueTessellationCore/Fitting/TriangleImprovement.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
-#include "TissueTessellationCore/Remeshing/WallRemeshing.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +89,7 @@ TEST(TriangleImprovement, PointsThatWereMovedAsideGoBack)
 {
   WallMesh mesh = FourCells();
   RemeshToNumberOfTriangles(mesh, 4 * 150.0);
-  const QualitySummary good = SummarizeTriangleQuality(mesh);
+  const QualitySummary good = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   std::set<PointId>    moved;
   for (const auto & triangle : mesh.triangles)
   {
@@ -103,11 +102,11 @@ TEST(TriangleImprovement, PointsThatWereMovedAsideGoBack)
       }
     }
   }
-  const QualitySummary aside = SummarizeTriangleQuality(mesh);
+  const QualitySummary aside = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   ASSERT_LT(aside.mean, good.mean - 0.02);
   ImproveTriangles(mesh, 20);
-  EXPECT_GT(SummarizeTriangleQuality(mesh).mean, good.mean - 0.01);
-  EXPECT_GT(SummarizeTriangleQuality(mesh).fifthPercentile, good.fifthPercentile - 0.02);
+  EXPECT_GT(SummarizeTriangleQuality(mesh.points, mesh.triangles).mean, good.mean - 0.01);
+  EXPECT_GT(SummarizeTriangleQuality(mesh.points, mesh.triangles).fifthPercentile, good.fifthPercentile - 0.02);
 }
 
 TEST(TriangleImprovement, APointAmongEquilateralTrianglesGoesToTheMiddle)

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/VolumeFitting.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Fitting/VolumeFitting.h"
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Dual/DualMesh.h"
+#include "Fitting/WallProjection.h"
 #include "FourCellBall.h"
-
-#include "TissueTessellationCore/Dual/DualMesh.h"
-#include "TissueTessellationCore/Image/IndicatorField.h"
-#include "TissueTessellationCore/Fitting/WallProjection.h"
-#include "TissueTessellationCore/Remeshing/WallRefinement.h"
+#include "Image/IndicatorField.h"
+#include "Remeshing/WallRefinement.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +39,7 @@ Project(WallMesh & mesh, const std::vector<Point> & corners, int times)
 {
   const LabelVolume    volume = MakeVolume();
   const IndicatorField field(volume);
-  const ImagePlaces    faces = CollectImageFaces(volume, mesh.walls);
+  const ImagePlaces    faces = CollectImageFaces(volume, CellsOfWalls(mesh));
   const WallProjection projection(
     mesh, volume, field, faces, std::vector<double>(mesh.walls.size(), 5.0 * VoxelLength), corners);
   for (int i = 0; i < times; ++i)
@@ -103,7 +102,7 @@ TEST(WallProjection, WallsThatTheImageHasNotStay)
   LabelVolume              volume = MakeVolume();
   std::fill(volume.vertices.begin(), volume.vertices.end(), 1);
   const IndicatorField field(volume);
-  const ImagePlaces    faces = CollectImageFaces(volume, mesh.walls);
+  const ImagePlaces    faces = CollectImageFaces(volume, CellsOfWalls(mesh));
   const WallProjection projection(
     mesh, volume, field, faces, std::vector<double>(mesh.walls.size(), VoxelLength), corners);
   projection.Move(mesh);

@@ -4,8 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/BoxGrid.h"
-
+#include "Geometry/BoxGrid.h"
 #include "TissueTessellationCore/Common/Random.h"
 
 #include <gtest/gtest.h>

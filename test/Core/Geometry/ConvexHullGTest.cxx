@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/ConvexHull.h"
+#include "Geometry/ConvexHull.h"
 
 #include <gtest/gtest.h>
 

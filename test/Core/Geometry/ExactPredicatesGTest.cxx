@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "Geometry/ExactPredicates.h"
 
 #include <gtest/gtest.h>
 

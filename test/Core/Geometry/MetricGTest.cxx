@@ -5,7 +5,7 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Common/Random.h"
-#include "TissueTessellationCore/Geometry/SymmetricEigen.h"
+#include "TissueTessellationCore/Geometry/Metric.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>

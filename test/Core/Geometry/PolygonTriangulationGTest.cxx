@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/PolygonTriangulation.h"
+#include "Geometry/PolygonTriangulation.h"
 #include "TissueTessellationCore/Common/Random.h"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/SpatialOrder.h"
-
+#include "Geometry/SpatialOrder.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 

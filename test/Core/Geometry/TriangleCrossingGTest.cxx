@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Geometry/TriangleCrossing.h"
-
-#include "TissueTessellationCore/Geometry/ExactPredicates.h"
+#include "Geometry/ExactPredicates.h"
+#include "Geometry/TriangleCrossing.h"
 #include "TissueTessellationCore/Common/Random.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,6 @@ namespace
 {
 using tissue::Point;
 using tissue::PointId;
-using Triangle = std::array<PointId, 3>;
 
 /** Whether the two cross, the same for every order of the triangles and of their points. */
 bool

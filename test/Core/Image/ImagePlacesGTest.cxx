@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Image/ImageFaces.h"
+#include "Image/ImagePlaces.h"
 
 #include <gtest/gtest.h>
 
@@ -39,10 +39,10 @@ Count(const ImagePlaces & places, std::size_t group)
 }
 } // namespace
 
-TEST(ImageFaces, FacesOfEachWall)
+TEST(ImagePlaces, FacesOfEachWall)
 {
-  const std::vector<WallMesh::Wall> walls = { { { { 1, 2 } } }, { { { 4, 3 } } }, { { { 1, ExteriorVertex } } } };
-  const ImagePlaces                 faces = CollectImageFaces(HalfQuarterAndEighths(), walls);
+  const ImagePlaces faces =
+    CollectImageFaces(HalfQuarterAndEighths(), { { { 1, 2 } }, { { 4, 3 } }, { { 1, ExteriorVertex } } });
   EXPECT_EQ(Count(faces, 0), 8u);
   EXPECT_EQ(Count(faces, 1), 4u);
   EXPECT_EQ(Count(faces, 2), 48u); // all at the border: what is beyond it is exterior
@@ -57,15 +57,14 @@ TEST(ImageFaces, FacesOfEachWall)
   }
 }
 
-TEST(ImageFaces, AWallThatTheImageHasNotHasNone)
+TEST(ImagePlaces, AWallThatTheImageHasNotHasNone)
 {
-  const std::vector<WallMesh::Wall> walls = { { { { 1, 5 } } }, { { { 2, 3 } } } };
-  const ImagePlaces                 faces = CollectImageFaces(HalfQuarterAndEighths(), walls);
+  const ImagePlaces faces = CollectImageFaces(HalfQuarterAndEighths(), { { { 1, 5 } }, { { 2, 3 } } });
   EXPECT_EQ(Count(faces, 0), 0u);
   EXPECT_EQ(Count(faces, 1), 4u);
 }
 
-TEST(ImageFaces, EdgesOfEachLine)
+TEST(ImagePlaces, EdgesOfEachLine)
 {
   const ImagePlaces lines = CollectImageLines(HalfQuarterAndEighths(), { { { 1, 2, 3 } }, { { 1, 3, 4 } } });
   ASSERT_EQ(Count(lines, 0), 2u);

@@ -4,8 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Image/IndicatorField.h"
-
+#include "Image/IndicatorField.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>

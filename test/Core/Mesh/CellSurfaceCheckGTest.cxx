@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-
 #include "VoxelWallMesh.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Mesh/PatchMeasures.h"
+#include "Mesh/WallPatch.h"
 
 #include <gtest/gtest.h>
 

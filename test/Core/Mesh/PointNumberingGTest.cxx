@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallMeshOrder.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallLines.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Mesh/WallLines.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallMeshOrder.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
-#include "TissueTessellationCore/Mesh/SpatialWallOrder.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "WallMeshChecks.h"
-
+#include "Mesh/WallPatch.h"
 #include "TissueTessellationCore/Common/Random.h"
-#include "TissueTessellationCore/Mesh/WallPatch.h"
+#include "WallMeshChecks.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallPieces.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Mesh/WallPieces.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TestComplexes.h"
-
 #include "TissueTessellationCore/Optimization/ComplexStatistics.h"
 
 #include <gtest/gtest.h>

@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/LocalOperations.h"
+#include "Optimization/DelaunayDeviation.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Optimization/DelaunayDeviation.h"
-#include "TissueTessellationCore/Complex/LocalOperations.h"
 
 #include <gtest/gtest.h>
 

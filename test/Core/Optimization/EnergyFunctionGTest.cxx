@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Complex/LocalSpacing.h"
+#include "Optimization/EnergyFunction.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Optimization/EnergyFunction.h"
-#include "TissueTessellationCore/Complex/LocalSpacing.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/FocusedAnnealing.h"
 #include "KnownComplexProblem.h"
+#include "Optimization/FocusedAnnealing.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
  *
  *=========================================================================*/
 #include "KnownComplexProblem.h"
-
-#include "TissueTessellationCore/Optimization/TopologyOptimizer.h"
+#include "Optimization/TopologyOptimizer.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Optimization/VertexRelocation.h"
 #include "KnownComplexProblem.h"
+#include "Optimization/VertexRelocation.h"
 
 #include <gtest/gtest.h>
 

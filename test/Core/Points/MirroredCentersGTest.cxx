@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/MirroredCenters.h"
+#include "Points/MirroredCenters.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>

@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/PointJunctions.h"
-
-#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Points/PointJunctions.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
 #include <gtest/gtest.h>
 

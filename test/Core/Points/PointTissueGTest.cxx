@@ -4,12 +4,11 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/PointTissue.h"
-
-#include "TissueTessellationCore/Tessellation/CellMoments.h"
+#include "Tessellation/CellMoments.h"
 #include "TissueTessellationCore/Common/Random.h"
-#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Points/PointTissue.h"
+#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Points/TissueMask.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Points/TissueMask.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Points/TissueSurface.h"
 #include "TestComplexes.h"
-
-#include "TissueTessellationCore/Points/TissueSurface.h"
 
 #include <gtest/gtest.h>
 

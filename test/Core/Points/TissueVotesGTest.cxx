@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Points/TissueMask.h"
-#include "TissueTessellationCore/Points/TissueVotes.h"
+#include "Points/TissueMask.h"
+#include "Points/TissueVotes.h"
 
 #include <gtest/gtest.h>
 

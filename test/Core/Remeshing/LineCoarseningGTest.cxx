@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallMeshOrder.h"
+#include "Remeshing/LineCoarsening.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Remeshing/LineCoarsening.h"
-#include "TissueTessellationCore/Mesh/PointNumbering.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Mesh/WallLines.h"
+#include "Remeshing/LineSubdivision.h"
+#include "Remeshing/WallEdgeLengths.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Remeshing/LineSubdivision.h"
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
-#include "TissueTessellationCore/Mesh/WallLines.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/PatchRemesher.h"
+#include "Remeshing/PatchRemesher.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>

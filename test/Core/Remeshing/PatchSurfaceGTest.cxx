@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Remeshing/PatchSurface.h"
+#include "Remeshing/PatchSurface.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 

@@ -4,9 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Remeshing/WallEdgeLengths.h"
 #include "TestWallMeshes.h"
-
-#include "TissueTessellationCore/Remeshing/WallEdgeLengths.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Remeshing/WallRefinement.h"
 #include "TestWallMeshes.h"
 #include "WallMeshChecks.h"
-
-#include "TissueTessellationCore/Remeshing/WallRefinement.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Tessellation/AnisotropicTessellation.h"
-#include "TissueTessellationCore/Tessellation/CellMoments.h"
+#include "Tessellation/CellMoments.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Tessellation/AnisotropicTessellation.h"
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Tessellation/CellMoments.h"
-#include "TissueTessellationCore/Tessellation/CentroidFit.h"
+#include "Points/TissueMask.h"
+#include "Tessellation/CellMoments.h"
+#include "Tessellation/CentroidFit.h"
 #include "TissueTessellationCore/Common/Random.h"
-#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
-#include "TissueTessellationCore/Points/TissueMask.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Tessellation/MetricSmoothing.h"
+#include "Tessellation/CentroidFit.h"
 
 #include <gtest/gtest.h>
 

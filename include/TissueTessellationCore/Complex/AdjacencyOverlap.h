@@ -1,0 +1,49 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_AdjacencyOverlap_h
+#define TissueTessellationCore_AdjacencyOverlap_h
+
+#include "TissueTessellationCore/Common/Types.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace tissue
+{
+class AdjacencyComplex;
+class ReferenceAdjacency;
+struct JunctionSet;
+
+/** Jaccard indices of the complex and an image (paper, section 4.1). */
+struct AdjacencyOverlap
+{
+  /** |E_T & E_S| / |E_T | E_S|, in 0 .. 1. */
+  double adjacency2 = 0.0;
+  /** |T_T & T_S| / |T_T | T_S|, in 0 .. 1. */
+  double adjacency4 = 0.0;
+};
+
+/** |A & B| / |A | B| from the sizes of A, B and A & B; 0 where both sets are empty. */
+inline double
+Jaccard(std::size_t common, std::size_t first, std::size_t second)
+{
+  const std::size_t all = first + second - common;
+  return all > 0 ? static_cast<double>(common) / static_cast<double>(all) : 0.0;
+}
+
+/** Of a complex whose vertices are those of the reference. */
+AdjacencyOverlap
+ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
+
+/** Of tetrahedra over vertices of their own and the junctions of an image: ids[v] is what v is in the image, negative
+ * where it is nothing there. */
+AdjacencyOverlap
+ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
+                        const JunctionSet & image);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,52 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_Algorithms_h
+#define TissueTessellationCore_Algorithms_h
+
+#include "TissueTessellationCore/Common/Execution.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace tissue
+{
+/** The median of one or more values; of an even number the upper one. */
+inline double
+Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Of 0 ... count - 1 those for which the test holds, ascending. */
+template <typename TTest>
+std::vector<std::size_t>
+Select(std::size_t count, const TTest & test, const ParallelFor & parallelFor)
+{
+  constexpr std::size_t                 chunk = 4096;
+  std::vector<std::vector<std::size_t>> found((count + chunk - 1) / chunk);
+  RunFor(parallelFor, found.size(), [&](std::size_t c) {
+    for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+    {
+      if (test(i))
+      {
+        found[c].push_back(i);
+      }
+    }
+  });
+  std::vector<std::size_t> all;
+  for (const auto & part : found)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+} // namespace tissue
+
+#endif

@@ -1,0 +1,30 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_CornerFitting_h
+#define TissueTessellationCore_CornerFitting_h
+
+#include "Complex/AdjacencyComplex.h"
+#include "Image/IndicatorField.h"
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** \brief The corners of ComputeCorners() by the image's junctions, fitted below the voxel: each where the indicators
+ * of its four cells are equal, then moved apart so that every triple line is at least a voxel long and runs from its
+ * one corner to its other the way it does in the image.
+ *
+ * Corners of cells that have no junction in the image stay at the mean of the neighbouring corners. In the order of
+ * AdjacencyComplex::GetTetrahedra(). `unfitted`, where given, lists the corners without a junction or whose
+ * cells' indicators are nowhere equal within three voxels. */
+std::vector<Point>
+FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, const IndicatorField & field,
+           std::vector<std::size_t> * unfitted = nullptr);
+} // namespace tissue
+
+#endif

@@ -1,0 +1,26 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_CrossingWalls_h
+#define TissueTessellationCore_CrossingWalls_h
+
+#include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
+
+namespace tissue
+{
+/** \brief Frees a mesh of the crossings that remeshing made: where walls cross, or one crosses itself, few of them are
+ * smoothed, which unfolds a wall, and those that still cross then get their triangles of `old` back.
+ *
+ * The two meshes must agree in their points on lines and at corners, which come first in both, as RemeshWalls() leaves
+ * them; these points stay. Nothing crosses afterwards where nothing did in `old`.
+ *
+ * \return the number of walls as they are in `old`. */
+std::int64_t
+MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const ParallelFor & parallelFor = ParallelFor());
+} // namespace tissue
+
+#endif

@@ -1,0 +1,132 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_BoxGrid_h
+#define TissueTessellationCore_BoxGrid_h
+
+#include "TissueTessellationCore/Geometry/Box.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace tissue
+{
+
+/** \brief Finds the pairs of boxes that overlap, by a flat grid of about as many cells as boxes. At least one box; the
+ * boxes must outlive the grid. The few that are far longer than the mean are compared with all, beside the grid: they
+ * would make its cells too large for the others. */
+class BoxGrid
+{
+public:
+  explicit BoxGrid(const std::vector<Box> & boxes);
+
+  std::int64_t
+  NumberOfLayers() const
+  {
+    return m_Size[2];
+  }
+
+  /** Calls visit(a, b), a < b, for each pair of overlapping boxes whose first common cell is in the layer; the pairs of
+   * long boxes are spread over the layers. */
+  template <typename TVisitor>
+  void
+  VisitPairs(std::int64_t layer, const TVisitor & visit) const
+  {
+    const std::int64_t perLayer = m_Size[0] * m_Size[1];
+    for (std::int64_t cell = layer * perLayer; cell < (layer + 1) * perLayer; ++cell)
+    {
+      for (std::int64_t i = m_First[cell]; i < m_First[cell + 1]; ++i)
+      {
+        const Box & a = m_Boxes[m_Members[i]];
+        for (std::int64_t j = i + 1; j < m_First[cell + 1]; ++j)
+        {
+          const Box & b = m_Boxes[m_Members[j]];
+          if (Overlap(a, b) && this->CellOf({ { std::max(a.lower[0], b.lower[0]),
+                                                std::max(a.lower[1], b.lower[1]),
+                                                std::max(a.lower[2], b.lower[2]) } }) == cell)
+          {
+            visit(m_Members[i], m_Members[j]);
+          }
+        }
+      }
+    }
+    for (auto i = static_cast<std::size_t>(layer); i < m_Long.size(); i += static_cast<std::size_t>(m_Size[2]))
+    {
+      this->VisitPairsOfLongBox(i, visit);
+    }
+  }
+
+private:
+  /** Parts the boxes in m_InGrid, never empty, and m_Long, both ascending. */
+  void
+  FindLongBoxes();
+
+  void
+  Fill();
+
+  template <typename TVisitor>
+  void
+  VisitPairsOfLongBox(std::size_t position, const TVisitor & visit) const
+  {
+    const std::int32_t a = m_Long[position];
+    const auto         visitWith = [&](std::int32_t b) {
+      if (Overlap(m_Boxes[a], m_Boxes[b]))
+      {
+        visit(std::min(a, b), std::max(a, b));
+      }
+    };
+    std::for_each(m_InGrid.begin(), m_InGrid.end(), visitWith);
+    std::for_each(m_Long.begin() + static_cast<std::ptrdiff_t>(position) + 1, m_Long.end(), visitWith);
+  }
+
+  std::array<std::int64_t, 3>
+  Coordinates(const Point & p) const
+  {
+    std::array<std::int64_t, 3> c;
+    for (int i = 0; i < 3; ++i)
+    {
+      c[i] = std::min(static_cast<std::int64_t>((p[i] - m_Lower[i]) / m_CellSize), m_Size[i] - 1);
+    }
+    return c;
+  }
+
+  std::int64_t
+  CellOf(const Point & p) const
+  {
+    const auto c = this->Coordinates(p);
+    return (c[2] * m_Size[1] + c[1]) * m_Size[0] + c[0];
+  }
+
+  template <typename TVisitor>
+  void
+  VisitCells(const Box & box, const TVisitor & visit) const
+  {
+    const auto from = this->Coordinates(box.lower);
+    const auto to = this->Coordinates(box.upper);
+    for (std::int64_t z = from[2]; z <= to[2]; ++z)
+    {
+      for (std::int64_t y = from[1]; y <= to[1]; ++y)
+      {
+        for (std::int64_t x = from[0]; x <= to[0]; ++x)
+        {
+          visit((z * m_Size[1] + y) * m_Size[0] + x);
+        }
+      }
+    }
+  }
+
+  const std::vector<Box> &    m_Boxes;
+  Point                       m_Lower{};
+  double                      m_CellSize = 1.0;
+  std::array<std::int64_t, 3> m_Size{};
+  std::vector<std::int64_t>   m_First;
+  std::vector<std::int32_t>   m_Members;
+  std::vector<std::int32_t>   m_InGrid;
+  std::vector<std::int32_t>   m_Long;
+};
+} // namespace tissue
+
+#endif

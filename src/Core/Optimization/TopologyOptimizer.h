@@ -1,0 +1,78 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TopologyOptimizer_h
+#define TissueTessellationCore_TopologyOptimizer_h
+
+#include "Optimization/FocusedAnnealing.h"
+#include "Optimization/VertexRelocation.h"
+#include "TissueTessellationCore/Optimization/OptimizationParameters.h"
+
+namespace tissue
+{
+
+/** \brief Minimizes the energy of a complex by simulated annealing (paper, section 3.4).
+ *
+ * Each temperature cycle has two phases, edge removals and triangle swaps. In a phase the legal operations are ranked
+ * by their energy difference, ascending, and carried out in that order where they are still legal, at their difference
+ * at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
+ *
+ * The complex ends in the state of least energy seen at the end of a cycle or round, or at the start. The same input,
+ * parameters and seed give the same result. */
+class TopologyOptimizer
+{
+public:
+  /** References must outlive this object; `reference` may be null.
+   * \throws std::invalid_argument where a parameter is out of its range. */
+  TopologyOptimizer(AdjacencyComplex & complex, const std::vector<Point> & centers,
+                    const ReferenceAdjacency * reference, const EnergyParameters & energy,
+                    const AnnealingParameters & annealing);
+
+  /** \throws Aborted where `progress` asks to stop; the complex is then valid, but not yet optimal. */
+  std::vector<AnnealingCycle>
+  Run(const ProgressFunction & progress = ProgressFunction());
+
+  /** Of the last Run(). */
+  std::size_t
+  NumberOfRelocatedVertices() const
+  {
+    return m_NumberOfRelocatedVertices;
+  }
+
+  /** The energy of the complex. */
+  double
+  Energy() const
+  {
+    return m_State.energy.Total();
+  }
+
+private:
+  struct Candidate;
+
+  std::vector<AnnealingCycle>
+  RunCycles(const ProgressFunction & progress);
+
+  Proposal
+  ProposeRemoval(VertexPair edge) const;
+
+  std::size_t
+  RemoveEdges(double temperature);
+
+  std::size_t
+  SwapTriangles(double temperature);
+
+  /** The unit of temperatures. */
+  double
+  OneElement() const;
+
+  AnnealingState      m_State;
+  EnergyParameters    m_EnergyParameters;
+  AnnealingParameters m_Annealing;
+  std::size_t         m_NumberOfRelocatedVertices = 0;
+};
+} // namespace tissue
+
+#endif

@@ -1,0 +1,78 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TissueSurface_h
+#define TissueTessellationCore_TissueSurface_h
+
+#include "Points/TissueMask.h"
+#include "Tessellation/CentroidFit.h"
+
+#include <vector>
+
+namespace tissue
+{
+struct MirroredCenters;
+
+/** \brief The surface of a tissue as its cells' centres tell it: surface triangles of their complex, and how far the
+ * surface is above the centres at their corners.
+ *
+ * A depth is first half the median height of the centre above those of its neighbours below it, at most 0.6 of the
+ * local spacing: what a cell as thick as those below it has above its centre. Follow() then fits the depths jointly
+ * with the cells (CentroidFit.h): where a seed had to move outwards for its cell's centroid to be on its point, the
+ * surface is farther out, by about as much, and the other way round. Neighbours' depths are evened out a little. */
+class TissueSurface
+{
+public:
+  /** \param points of the cells.
+   * \param box of the tissue: a cell whose centre is near a side is taken to be cut by it, and has no surface there.
+   * \throws std::invalid_argument as DelaunayTetrahedralization(). */
+  TissueSurface(const std::vector<Point> & points, const Box & box);
+
+  /** \param seeds of the points, in their order. */
+  void
+  Follow(const std::vector<MetricSeed> & seeds);
+
+  TissueMask
+  MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor = ParallelFor()) const;
+
+  /** The points next to each point in the cleaned complex. */
+  CellNeighbors
+  FindNeighbors() const;
+
+  /** The local spacing about each point (LocalSpacing.h). */
+  double
+  Spacing(std::size_t point) const
+  {
+    return m_Spacings[point + 1];
+  }
+
+  /** Whether the cell of the point is neither at the surface nor cut by a side of the box. */
+  bool
+  IsInner(std::size_t point) const
+  {
+    return m_Depths[point + 1] == 0.0 && !m_IsCut[point + 1];
+  }
+
+private:
+  TissueSurface(MirroredCenters centers, std::size_t numberOfPoints);
+
+  void
+  EstimateDepths();
+  void
+  EvenOut(double share);
+
+  /** By vertices of the complex: the exterior, the points, and their mirror images beyond the sides that cut them. */
+  AdjacencyComplex    m_Complex;
+  std::vector<Point>  m_Centers;
+  std::vector<double> m_Spacings;
+  std::vector<Point>  m_Normals;
+  std::vector<double> m_Depths;
+  /** Of the exterior and the points. */
+  std::vector<bool> m_IsCut;
+};
+} // namespace tissue
+
+#endif

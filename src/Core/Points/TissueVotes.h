@@ -1,0 +1,40 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TissueVotes_h
+#define TissueTessellationCore_TissueVotes_h
+
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Points/TissueGrid.h"
+#include "TissueTessellationCore/Tessellation/TissueSamples.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** \brief How sure it is which cells meet, where a tessellation is an estimate.
+ *
+ * The tessellation is made anew 32 times from seeds that are all a little off, each time another way. Cells that meet
+ * at a point do so every time where much would have to change for others to meet there in their place, and seldom where
+ * it hangs by a thread.
+ *
+ * \param seeds of the cells, metrics of determinant 1.
+ * \param spacings local, about each seed.
+ * \param samples points of `grid` in the tissue.
+ * \param uncertainty standard deviation of a seed's place along each axis, in units of the spacing; that of the
+ * entries of its metric's logarithm is 2.4 times as much, and of its size 3 times.
+ * \param shapeDoubt how much of the way from their metrics to those of balls the seeds are for the last of the
+ * tessellations, from the first one's 0 evenly on; 0 .. 1.
+ * \return vertex i + 1 for the cell of seed i, ascending. The same for any number of threads. */
+std::vector<JunctionVote>
+VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double> & spacings,
+                const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
+                const ParallelFor &      parallelFor = ParallelFor(),
+                const ProgressFunction & progress = ProgressFunction());
+} // namespace tissue
+
+#endif

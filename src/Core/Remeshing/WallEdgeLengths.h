@@ -1,0 +1,49 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_WallEdgeLengths_h
+#define TissueTessellationCore_WallEdgeLengths_h
+
+#include "Mesh/WallLines.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** \throws std::invalid_argument unless there is one edge length for each wall, and all are positive. */
+void
+RequireEdgeLengths(const WallMesh & mesh, const std::vector<double> & edgeLengths);
+
+/** Pieces of a line of the given length: length / edgeLength, rounded, at least 1. */
+int
+NumberOfSegments(double length, double edgeLength);
+
+/** Points within a wall that make as many triangles as equilateral ones of the edge length would cover its area, given
+ * the number of segments of its outline; 0 where the outline alone makes as many. */
+int
+NumberOfInteriorPoints(double area, double edgeLength, int outlineSegments);
+
+/** The edge length at a line: the least of its walls', so that a wall's triangles meet those of the smallest cell. */
+double
+EdgeLengthAt(const WallLine & line, const std::vector<double> & edgeLengths);
+
+/** \brief Lengths of the triangles' edges in each wall for a wanted number of triangles in all.
+ *
+ * The length in a wall is the one length that all have, times the wall's own factor (none given: 1). NumberOfSegments
+ * and NumberOfInteriorPoints tell how many triangles will come of it; a number that no length gives is approached.
+ * \throws std::invalid_argument unless numberOfTriangles is positive and the factors are one for each wall or none. */
+std::vector<double>
+ChooseEdgeLengths(const WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors = {});
+
+/** \brief Factors for ChooseEdgeLengths by the size of each wall's smaller cell: the cube root of the ratio of its
+ * volume to the median volume, to the power of `exponent`, within 1/3 ... 3.
+ *
+ * With exponent 1 all cells get triangles of the same size relative to their own, with 0 all factors are 1. */
+std::vector<double>
+EdgeLengthFactorsByCell(const WallMesh & mesh, const std::vector<double> & volumes, double exponent);
+} // namespace tissue
+
+#endif
