@@ -53,7 +53,7 @@ TissueMeshEvaluation
 Evaluate(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels)
 {
   const auto threader = itk::MultiThreaderBase::New();
-  return EvaluateTissueMesh(walls, junctions, labels, itk::MakeParallelFor(threader));
+  return EvaluateTissueMesh(walls, junctions, labels, itk::MakeExecution(threader));
 }
 
 /** Our pipeline from the file to VTK, once; `mesh` is what it made. */

@@ -105,17 +105,12 @@ CellWallMeshEvaluationCalculator<TLabelImage>::Compute()
     itkExceptionMacro("The " << (m_Image ? "mesh" : "image") << " is not set.");
   }
   const tissue::JunctionSet junctions = this->MakeJunctionSet();
-  try
-  {
+  m_Evaluation = RunCore(this, [&] {
     const auto walls = tissue::MakeWallMesh(tissue::FindCellsOfTriangles(*m_Triangles, junctions));
     const auto labels = MakeLabelVolume(m_Image.GetPointer(), junctions);
-    m_Evaluation = std::make_unique<const tissue::TissueMeshEvaluation>(
-      tissue::EvaluateTissueMesh(walls, junctions, *labels, MakeParallelFor(m_MultiThreader)));
-  }
-  catch (const std::invalid_argument & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+    return std::make_unique<const tissue::TissueMeshEvaluation>(
+      tissue::EvaluateTissueMesh(walls, junctions, *labels, MakeExecution(m_MultiThreader)));
+  });
   m_Cells = junctions.cells;
 }
 

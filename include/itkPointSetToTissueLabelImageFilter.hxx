@@ -161,27 +161,13 @@ void
 PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
 {
   this->AllocateOutputs();
-  const auto progress = [this](double fraction) {
-    this->UpdateProgress(static_cast<float>(fraction));
-    return !this->GetAbortGenerateData();
-  };
-  try
-  {
-    auto tissue = tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeParallelFor(this), progress);
-    m_Votes = std::move(tissue.votes);
-    std::transform(tissue.labels.begin(),
-                   tissue.labels.end(),
-                   this->GetOutput()->GetBufferPointer(),
-                   [](std::int32_t label) { return static_cast<LabelPixelType>(label); });
-  }
-  catch (const tissue::Aborted &)
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  auto tissue =
+    RunCore(this, [this] { return tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeExecution(this)); });
+  m_Votes = std::move(tissue.votes);
+  std::transform(tissue.labels.begin(),
+                 tissue.labels.end(),
+                 this->GetOutput()->GetBufferPointer(),
+                 [](std::int32_t label) { return static_cast<LabelPixelType>(label); });
 }
 
 template <typename TPointSet, typename TLabelImage>

@@ -9,9 +9,9 @@
 
 #include "itkSyntheticTissueImageSource.h"
 
-#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Tessellation/SyntheticCells.h"
 #include "TissueTessellationCore/Tessellation/TissueShapes.h"
+#include "itkCoreExecution.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageScanlineIterator.h"
 #include "itkMajorityLabelImageFilter.h"
@@ -209,25 +209,12 @@ SyntheticTissueImageSource<TOutputImage>::GrowCells(double cellDiameter)
   options.numberOfFounders = m_CellModel == CellModelEnum::Division
                                ? std::max(1, options.numberOfCells / cellsPerFounder)
                                : options.numberOfCells;
-  const auto report = [this](double fraction) {
-    this->UpdateProgress(SyntheticTissue::GrowthStart +
-                         (SyntheticTissue::AssignmentStart - SyntheticTissue::GrowthStart) *
-                           static_cast<float>(fraction));
-    return !this->GetAbortGenerateData();
-  };
-  try
-  {
+  return RunCore(this, [&] {
     return tissue::GrowSyntheticCells(
-      TessellationBricks::SampleTissue(this->GetOutput(), m_ExteriorLabel, cellDiameter), options, report);
-  }
-  catch (const tissue::Aborted &)
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
-  catch (const std::runtime_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+      TessellationBricks::SampleTissue(this->GetOutput(), m_ExteriorLabel, cellDiameter),
+      options,
+      MakeExecution(this, SyntheticTissue::GrowthStart, SyntheticTissue::AssignmentStart));
+  });
 }
 
 template <typename TOutputImage>

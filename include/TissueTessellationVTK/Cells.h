@@ -171,10 +171,10 @@ MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellS
   std::vector<std::vector<vtkIdType>> trianglesOfCell(cells.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const std::array<PointId, 3> & triangle = mesh.triangles[t];
-    const VertexPair &             sides = mesh.walls[mesh.wallOfTriangle[t]].cells;
-    std::vector<vtkIdType> &       first = trianglesOfCell[sides[0]];
-    std::vector<vtkIdType> &       second = trianglesOfCell[sides[1]];
+    const Triangle &         triangle = mesh.triangles[t];
+    const VertexPair &       sides = mesh.walls[mesh.wallOfTriangle[t]].cells;
+    std::vector<vtkIdType> & first = trianglesOfCell[sides[0]];
+    std::vector<vtkIdType> & second = trianglesOfCell[sides[1]];
     first.insert(first.end(), { triangle[0], triangle[1], triangle[2] });
     second.insert(second.end(), { triangle[0], triangle[2], triangle[1] });
   }

@@ -40,23 +40,9 @@ void
 JunctionsToCellWallMeshFilter::GenerateData()
 {
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
-  const auto progress = [this](double fraction) {
-    this->UpdateProgress(static_cast<float>(fraction));
-    return !this->GetAbortGenerateData();
-  };
-  try
-  {
-    const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(tissue::ReconstructTissue(
-      *junctions, this->GetParameters(), progress, m_LabelVolume.get(), MakeParallelFor(this)));
-    this->GetOutput()->SetReconstruction(junctions, reconstruction);
-  }
-  catch (const tissue::Aborted &)
-  {
-    throw ProcessAborted(__FILE__, __LINE__);
-  }
-  catch (const std::invalid_argument & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(this, [&] {
+    return tissue::ReconstructTissue(*junctions, this->GetParameters(), m_LabelVolume.get(), MakeExecution(this));
+  }));
+  this->GetOutput()->SetReconstruction(junctions, reconstruction);
 }
 } // namespace itk

@@ -23,7 +23,7 @@ namespace wall_mesh_checks
 {
 using namespace tissue;
 using DirectedEdge = std::array<PointId, 2>;
-using Triangles = std::vector<std::array<PointId, 3>>;
+using Triangles = std::vector<Triangle>;
 
 /** The triangles of a wall. */
 inline Triangles

@@ -42,7 +42,7 @@ struct WallDistance
 /** `walls` has vertices below `numberOfVertices`, as `labels` has; larger ones are no cell's. */
 WallDistance
 MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
-                    const ParallelFor & parallelFor = ParallelFor());
+                    const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -66,8 +66,7 @@ struct WallMeshEvaluation
  * cells: it is no cell, and in no pair or quadruple. Volumes are meant to be in the image's units.
  * \throws std::invalid_argument as RequireConsistentIndices does. */
 WallMeshEvaluation
-EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions,
-                 const ParallelFor & parallelFor = ParallelFor());
+EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Execution & execution = Execution());
 
 /** \brief All that is found of a wall mesh by the label image that it is of: its cells and triangles, its walls'
  * distance to those of the image, its voxels. */
@@ -90,7 +89,7 @@ struct TissueMeshEvaluation
  * number of threads. \throws std::invalid_argument as RequireConsistentIndices does, and where there is no cell. */
 TissueMeshEvaluation
 EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels,
-                   const ParallelFor & parallelFor = ParallelFor());
+                   const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

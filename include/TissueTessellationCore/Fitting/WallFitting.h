@@ -37,11 +37,11 @@ struct WallFittingStatistics
  * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in spatial order.
  * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
  * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
- * `parallelFor`. \throws Aborted where `progress` asks to stop. */
+ * `execution`. \throws Aborted where `execution` asks to stop. */
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
-         const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
+         const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

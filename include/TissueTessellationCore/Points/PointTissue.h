@@ -49,10 +49,9 @@ struct PointTissue
  * its sides.
  * \throws std::invalid_argument for fewer than four points, two at one place, all in one plane, one that is not finite
  * or not in the box.
- * \throws Aborted where `progress` asks to stop. */
+ * \throws Aborted where `execution` asks to stop. */
 PointTissue
-EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid,
-               const ParallelFor & parallelFor = ParallelFor(), const ProgressFunction & progress = ProgressFunction());
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

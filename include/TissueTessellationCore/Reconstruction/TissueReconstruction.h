@@ -61,7 +61,7 @@ struct TissueReconstruction
  * each.
  *
  * With the `volume` that the junctions come from, the walls are fitted to it unless the parameters say otherwise. What
- * is done by `parallelFor` is the same for any number of threads.
+ * is done by `execution` is the same for any number of threads.
  *
  * Cells whose neighbours are not known (a JunctionSet without walls, as of points alone) have statistics without
  * adjacencies, l_max by the local spacing of their centres, and no remarks that compare them with an image.
@@ -70,11 +70,10 @@ struct TissueReconstruction
  * the complex is optimized, and then the exterior: in `tetrahedra` and `walls`. Cells with the same
  * centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. \throws
  * std::invalid_argument for parameters out of range, fewer than four cells, and cells whose centres are coplanar.
- * \throws Aborted where `progress` asks to stop. */
+ * \throws Aborted where `execution` asks to stop. */
 TissueReconstruction
 ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
-                  const ProgressFunction & progress = ProgressFunction(), const LabelVolume * volume = nullptr,
-                  const ParallelFor & parallelFor = ParallelFor());
+                  const LabelVolume * volume = nullptr, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -37,10 +37,9 @@ struct SyntheticCellOptions
  *
  * Every cell is the nearest of at least one sample.
  * \throws std::runtime_error if there are fewer samples than cells, or no arrangement is found.
- * \throws Aborted if \a progress asks for it. */
+ * \throws Aborted where `execution` asks to stop. */
 AnisotropicTessellation
-GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & options,
-                   const ProgressFunction & progress);
+GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & options, const Execution & execution);
 } // namespace tissue
 
 #endif

@@ -33,7 +33,7 @@ struct TissueSamples
 /** The seed of every sample, in their order. */
 std::vector<AnisotropicTessellation::SeedId>
 AssignSamples(const AnisotropicTessellation & tessellation, const TissueSamples & samples,
-              const ParallelFor & parallelFor = ParallelFor());
+              const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -27,11 +27,11 @@ Median(std::vector<double> values)
 /** Of 0 ... count - 1 those for which the test holds, ascending. */
 template <typename TTest>
 std::vector<std::size_t>
-Select(std::size_t count, const TTest & test, const ParallelFor & parallelFor)
+Select(std::size_t count, const TTest & test, const Execution & execution)
 {
   constexpr std::size_t                 chunk = 4096;
   std::vector<std::vector<std::size_t>> found((count + chunk - 1) / chunk);
-  RunFor(parallelFor, found.size(), [&](std::size_t c) {
+  execution.For(found.size(), [&](std::size_t c) {
     for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
     {
       if (test(i))

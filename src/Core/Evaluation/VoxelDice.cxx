@@ -151,7 +151,7 @@ TrianglesOfCells(const WallMesh & walls, VertexId numberOfVertices)
 
 std::vector<double>
 ComputeVoxelDice(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
-                 const ParallelFor & parallelFor)
+                 const Execution & execution)
 {
   std::vector<Point> indices(walls.points.size());
   std::transform(walls.points.begin(), walls.points.end(), indices.begin(), [&labels](const Point & p) {
@@ -160,7 +160,7 @@ ComputeVoxelDice(const WallMesh & walls, VertexId numberOfVertices, const LabelV
   const auto                      trianglesOfCell = TrianglesOfCells(walls, numberOfVertices);
   const std::vector<std::int64_t> inImage = CountVoxelsOfImage(numberOfVertices, labels);
   std::vector<double>             dice(static_cast<std::size_t>(numberOfVertices), 0.0);
-  RunFor(parallelFor, dice.size(), [&](std::size_t cell) {
+  execution.For(dice.size(), [&](std::size_t cell) {
     RowCrossings crossings(labels.size);
     for (const std::size_t t : trianglesOfCell[cell])
     {

@@ -24,7 +24,7 @@ namespace tissue
  * no cells. Time: in proportion to the triangles and the rows that each spans. */
 std::vector<double>
 ComputeVoxelDice(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
-                 const ParallelFor & parallelFor = ParallelFor());
+                 const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -15,7 +15,7 @@ namespace tissue
 {
 WallDistance
 MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
-                    const ParallelFor & parallelFor)
+                    const Execution & execution)
 {
   struct Sums
   {
@@ -34,7 +34,7 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
     first[w + 1] += first[w];
   }
   std::vector<Sums> sumsOfWall(walls.walls.size());
-  RunFor(parallelFor, walls.walls.size(), [&](std::size_t w) {
+  execution.For(walls.walls.size(), [&](std::size_t w) {
     const PlaceTree       places(faces.Begin(w), faces.End(w));
     const AreaAndDistance sums = IntegrateDistance(walls.points, walls.triangles, first[w], first[w + 1], places);
     sumsOfWall[w] = places.IsEmpty() ? Sums{ 0.0, 0.0, sums.area } : Sums{ sums.area, sums.distance, 0.0 };

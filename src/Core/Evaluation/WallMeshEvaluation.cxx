@@ -5,12 +5,11 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
-#include "Mesh/Crossings.h"
-#include "Adjacency/ReferenceAdjacency.h"
 
+#include "Adjacency/ReferenceAdjacency.h"
 #include "Evaluation/VoxelDice.h"
-#include "Fitting/CrossingGuard.h"
 #include "Geometry/ConvexHull.h"
+#include "Mesh/Crossings.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <algorithm>
@@ -152,7 +151,7 @@ PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
 }
 
 void
-JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const ParallelFor & parallelFor,
+JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Execution & execution,
            WallMeshEvaluation & evaluation)
 {
   const auto             numberOfVertices = static_cast<VertexId>(cells.size());
@@ -160,7 +159,7 @@ JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Parall
   const auto             points = PointsOfCells(walls, numberOfVertices);
   evaluation.numberOfDegenerateTriangles = static_cast<std::size_t>(check.numberOfDegenerateTriangles);
   evaluation.cells.resize(cells.size());
-  RunFor(parallelFor, cells.size() - 1, [&](std::size_t i) {
+  execution.For(cells.size() - 1, [&](std::size_t i) {
     const std::size_t          v = i + 1;
     const CellSurface &        surface = check.cells[v];
     WallMeshEvaluation::Cell & cell = evaluation.cells[v];
@@ -211,24 +210,24 @@ SumUpCells(WallMeshEvaluation & evaluation)
 } // namespace
 
 WallMeshEvaluation
-EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const ParallelFor & parallelFor)
+EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Execution & execution)
 {
   const auto         numberOfVertices = static_cast<VertexId>(junctions.cells.size());
   WallMeshEvaluation evaluation;
   evaluation.numberOfTriangles = walls.triangles.size();
   evaluation.numberOfCells = junctions.cells.size() - 1;
-  JudgeCells(walls, junctions.cells, parallelFor, evaluation);
+  JudgeCells(walls, junctions.cells, execution, evaluation);
   SumUpCells(evaluation);
   const auto quadruples = CollectQuadruples(walls, numberOfVertices, evaluation);
   evaluation.overlap = ComputeOverlap(CollectPairs(walls, numberOfVertices), quadruples, ReferenceAdjacency(junctions));
   evaluation.quality = SummarizeTriangleQuality(walls.points, walls.triangles);
-  evaluation.numberOfCrossings = FindCrossings(walls, parallelFor).size();
+  evaluation.numberOfCrossings = FindCrossings(walls, execution).size();
   return evaluation;
 }
 
 TissueMeshEvaluation
 EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels,
-                   const ParallelFor & parallelFor)
+                   const Execution & execution)
 {
   if (junctions.cells.size() < 2)
   {
@@ -236,9 +235,9 @@ EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const 
   }
   const auto           numberOfVertices = static_cast<VertexId>(junctions.cells.size());
   TissueMeshEvaluation evaluation;
-  evaluation.mesh = EvaluateWallMesh(walls, junctions, parallelFor);
-  evaluation.distance = MeasureWallDistance(walls, numberOfVertices, labels, parallelFor);
-  evaluation.dice = ComputeVoxelDice(walls, numberOfVertices, labels, parallelFor);
+  evaluation.mesh = EvaluateWallMesh(walls, junctions, execution);
+  evaluation.distance = MeasureWallDistance(walls, numberOfVertices, labels, execution);
+  evaluation.dice = ComputeVoxelDice(walls, numberOfVertices, labels, execution);
   evaluation.meanDice = std::accumulate(evaluation.dice.begin() + 1, evaluation.dice.end(), 0.0) /
                         static_cast<double>(evaluation.mesh.numberOfCells);
   return evaluation;

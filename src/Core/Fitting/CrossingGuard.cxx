@@ -89,11 +89,11 @@ MarkMoved(const WallMesh & mesh, const std::vector<Point> & here, const std::vec
 
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
-                      const ParallelFor & parallelFor)
+                      const Execution & execution)
 {
   const std::vector<Point>        target = mesh.points;
   const std::vector<TrianglePair> pairs =
-    CollectClosePairs(mesh, before, target, MarkMoved(mesh, before, target), parallelFor);
+    CollectClosePairs(mesh, before, target, MarkMoved(mesh, before, target), execution);
   // The number of steps back that each point took.
   std::vector<std::size_t>   level(mesh.points.size(), 0);
   std::vector<unsigned char> isChanged(mesh.triangles.size(), 1);
@@ -106,7 +106,7 @@ StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const 
     };
     std::fill(pointChanged.begin(), pointChanged.end(), 0);
     bool isAny = false;
-    for (const std::size_t i : Select(pairs.size(), isFault, parallelFor))
+    for (const std::size_t i : Select(pairs.size(), isFault, execution))
     {
       for (const std::int32_t t : pairs[i])
       {

@@ -20,7 +20,7 @@ namespace tissue
  * crossings stays so. Returns the number of points that stepped back. */
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
-                      const ParallelFor & parallelFor = ParallelFor());
+                      const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -5,9 +5,9 @@
  *
  *=========================================================================*/
 #include "Fitting/CrossingWalls.h"
-#include "Mesh/Crossings.h"
 
 #include "Fitting/CrossingGuard.h"
+#include "Mesh/Crossings.h"
 #include "Mesh/WallPieces.h"
 #include "Remeshing/WallRemeshing.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
@@ -105,21 +105,21 @@ SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
 } // namespace
 
 std::int64_t
-MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const ParallelFor & parallelFor)
+MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution)
 {
   // Whatever still crosses after a change is one of the walls that were chosen, each time.
-  std::vector<WallId> walls = ChooseWalls(mesh, FindCrossings(mesh, parallelFor), {});
+  std::vector<WallId> walls = ChooseWalls(mesh, FindCrossings(mesh, execution), {});
   for (int i = 0; i < MostSmoothings && !walls.empty(); ++i)
   {
     SmoothWithin(mesh, walls);
-    walls = ChooseWalls(mesh, FindCrossingsOfWalls(mesh, walls, parallelFor), {});
+    walls = ChooseWalls(mesh, FindCrossingsOfWalls(mesh, walls, execution), {});
   }
   std::set<WallId> putBack;
   while (!walls.empty())
   {
     putBack.insert(walls.begin(), walls.end());
     ReplaceWalls(mesh, old, walls);
-    walls = ChooseWalls(mesh, FindCrossingsOfWalls(mesh, walls, parallelFor), putBack);
+    walls = ChooseWalls(mesh, FindCrossingsOfWalls(mesh, walls, execution), putBack);
   }
   return static_cast<std::int64_t>(putBack.size());
 }

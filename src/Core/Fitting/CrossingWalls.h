@@ -20,7 +20,7 @@ namespace tissue
  *
  * \return the number of walls as they are in `old`. */
 std::int64_t
-MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const ParallelFor & parallelFor = ParallelFor());
+MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -86,13 +86,13 @@ private:
 } // namespace
 
 std::vector<WallId>
-TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolerance, const ParallelFor & parallelFor)
+TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolerance, const Execution & execution)
 {
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   const WallsAtPoints            wallsAt(mesh);
   std::vector<WallPiece>         pieces(mesh.walls.size());
   std::vector<unsigned char>     isNew(mesh.walls.size(), 0);
-  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
+  execution.For(pieces.size(), [&](std::size_t w) {
     pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
     const PlaceTree       places(faces.Begin(w), faces.End(w));
     const AreaAndDistance sums = IntegrateDistance(mesh.points, mesh.triangles, first[w], first[w + 1], places);

@@ -7,9 +7,9 @@
 #ifndef TissueTessellationCore_OutlineTriangulation_h
 #define TissueTessellationCore_OutlineTriangulation_h
 
-#include "TissueTessellationCore/Mesh/WallMesh.h"
 #include "Image/ImagePlaces.h"
 #include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
 
 namespace tissue
 {
@@ -30,7 +30,7 @@ namespace tissue
  * \return the walls that are new, ascending. */
 std::vector<WallId>
 TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolerance,
-                       const ParallelFor & parallelFor = ParallelFor());
+                       const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

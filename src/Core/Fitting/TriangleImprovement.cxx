@@ -26,7 +26,7 @@ public:
   explicit Improvement(WallMesh & mesh);
 
   void
-  Sweep(const ParallelFor & parallelFor);
+  Sweep(const Execution & execution);
 
 private:
   using Corners = std::array<Point, 3>; // of a triangle, the point first
@@ -91,9 +91,9 @@ Improvement::Improvement(WallMesh & mesh)
 }
 
 void
-Improvement::Sweep(const ParallelFor & parallelFor)
+Improvement::Sweep(const Execution & execution)
 {
-  RunFor(parallelFor, m_PointsWithin.size(), [this](std::size_t wall) {
+  execution.For(m_PointsWithin.size(), [this](std::size_t wall) {
     for (const PointId p : m_PointsWithin[wall])
     {
       this->MoveWithinWall(p);
@@ -173,12 +173,12 @@ Improvement::MoveAlongLine(const WallLine & line, std::size_t i)
 } // namespace
 
 void
-ImproveTriangles(WallMesh & mesh, int sweeps, const ParallelFor & parallelFor)
+ImproveTriangles(WallMesh & mesh, int sweeps, const Execution & execution)
 {
   Improvement improvement(mesh);
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
-    improvement.Sweep(parallelFor);
+    improvement.Sweep(execution);
   }
 }
 } // namespace tissue

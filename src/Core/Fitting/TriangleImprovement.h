@@ -25,7 +25,7 @@ namespace tissue
  *
  * Walls are worked on in parallel, then lines one after the other. `mesh` needs its numberOfCells. */
 void
-ImproveTriangles(WallMesh & mesh, int sweeps, const ParallelFor & parallelFor = ParallelFor());
+ImproveTriangles(WallMesh & mesh, int sweeps, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -5,14 +5,14 @@
  *
  *=========================================================================*/
 #include "Fitting/Untangling.h"
-#include "TissueTessellationCore/Geometry/Vector.h"
-#include "Mesh/Crossings.h"
-#include "Geometry/BoxGrid.h"
 
 #include "Fitting/CrossingGuard.h"
+#include "Geometry/BoxGrid.h"
 #include "Geometry/TriangleCrossing.h"
+#include "Mesh/Crossings.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Box.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <map>
 #include <set>
@@ -180,11 +180,11 @@ Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
 } // namespace
 
 std::int64_t
-Untangle(WallMesh & mesh, int maximumSweeps, const ParallelFor & parallelFor)
+Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
 {
   constexpr int             searchesPerSweep = 3;
   Random                    random(1);
-  std::vector<TrianglePair> crossings = FindCrossings(mesh, parallelFor);
+  std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);
   for (int sweep = 0; sweep < maximumSweeps && !crossings.empty(); ++sweep)
   {
     std::vector<LoosePoint> loose = CollectLoosePoints(mesh, crossings);
@@ -196,7 +196,7 @@ Untangle(WallMesh & mesh, int maximumSweeps, const ParallelFor & parallelFor)
         Improve(mesh, entry, random);
       }
     }
-    crossings = FindCrossings(mesh, parallelFor);
+    crossings = FindCrossings(mesh, execution);
   }
   return static_cast<std::int64_t>(crossings.size());
 }

@@ -18,7 +18,7 @@ namespace tissue
  * For a mesh of few crossings (a fitted star). Deterministic. Returns the pairs that still cross after
  * `maximumSweeps`: 0 but for hopeless cases. */
 std::int64_t
-Untangle(WallMesh & mesh, int maximumSweeps, const ParallelFor & parallelFor = ParallelFor());
+Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

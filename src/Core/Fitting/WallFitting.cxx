@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Fitting/WallFitting.h"
-#include "Mesh/Crossings.h"
 
 #include "Complex/AdjacencyComplex.h"
 #include "Dual/DualMesh.h"
@@ -18,6 +17,7 @@
 #include "Fitting/VolumeFitting.h"
 #include "Fitting/WallProjection.h"
 #include "Geometry/SpatialOrder.h"
+#include "Mesh/Crossings.h"
 #include "Mesh/WallMeshOrder.h"
 #include "Remeshing/LineSubdivision.h"
 #include "Remeshing/WallEdgeLengths.h"
@@ -52,13 +52,11 @@ const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 class Fitter
 {
 public:
-  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const ParallelFor & parallelFor,
-         const ProgressFunction & progress)
+  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const Execution & execution)
     : m_Junctions(junctions)
     , m_Volume(volume)
     , m_Field(volume)
-    , m_ParallelFor(parallelFor)
-    , m_Progress(progress)
+    , m_Execution(execution)
   {
     for (VertexId v = 0; v < junctions.NumberOfVertices(); ++v)
     {
@@ -77,10 +75,10 @@ public:
     const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectImageFaces(m_Volume, CellsOfWalls(mesh));
     // An equilateral triangle of this area has edges as long as this.
-    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_ParallelFor);
+    TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_Execution);
     this->CountUnfitted(complex, unfitted, statistics);
-    statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_ParallelFor).size());
-    statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_ParallelFor);
+    statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_Execution).size());
+    statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_Execution);
     statistics.untangledPairs -= statistics.crossingPairs;
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
     this->LiftCenters(mesh);
@@ -102,7 +100,7 @@ public:
     const double wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
     double       done = 0.0;
     const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
-    Report(m_Progress, StarShare);
+    m_Execution.Report(StarShare);
     std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
     double              area = ComputeArea(mesh);
     WallProjection      projection(mesh, m_Volume, m_Field, m_Faces, lengths, m_Anchors);
@@ -116,12 +114,12 @@ public:
       for (int round = 0; round < RoundsPerMeshing[meshing]; ++round)
       {
         const std::vector<Point> before = mesh.points;
-        projection.Move(mesh, m_ParallelFor);
-        ImproveTriangles(mesh, 1, m_ParallelFor);
+        projection.Move(mesh, m_Execution);
+        ImproveTriangles(mesh, 1, m_Execution);
         FitVolumes(mesh, m_Volumes, VolumeShare);
-        StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+        StepBackFromCrossings(mesh, before, GuardShares, m_Execution);
         done += 1.0;
-        Report(m_Progress, StarShare + (1.0 - StarShare) * done / all);
+        m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
       }
     }
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
@@ -192,7 +190,7 @@ private:
         mesh.points[center] = wall->center;
       }
     }
-    StepBackFromCrossings(mesh, before, LiftShares, m_ParallelFor);
+    StepBackFromCrossings(mesh, before, LiftShares, m_Execution);
   }
 
   void
@@ -200,7 +198,7 @@ private:
   {
     const std::vector<Point> before = mesh.points;
     FitVolumes(mesh, m_Volumes, VolumeShare);
-    StepBackFromCrossings(mesh, before, GuardShares, m_ParallelFor);
+    StepBackFromCrossings(mesh, before, GuardShares, m_Execution);
   }
 
   bool
@@ -222,10 +220,10 @@ private:
   {
     const std::vector<double> factors = EdgeLengthFactorsByCell(mesh, m_Volumes, SizeExponent);
     WallMesh                  star = mesh;
-    const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_ParallelFor);
+    const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_Execution);
     SubdivideLines(star, lengths);
-    SubdivideWalls(star, lengths, m_ParallelFor);
-    statistics.starWalls = MendCrossingWalls(mesh, star, m_ParallelFor);
+    SubdivideWalls(star, lengths, m_Execution);
+    statistics.starWalls = MendCrossingWalls(mesh, star, m_Execution);
     return lengths;
   }
 
@@ -241,17 +239,16 @@ private:
       length *= std::sqrt(ratio * growth);
     }
     area = ComputeArea(mesh);
-    RemeshWalls(mesh, lengths, m_ParallelFor);
-    MendCrossingWalls(mesh, old, m_ParallelFor);
+    RemeshWalls(mesh, lengths, m_Execution);
+    MendCrossingWalls(mesh, old, m_Execution);
   }
 
-  const JunctionSet &      m_Junctions;
-  const LabelVolume &      m_Volume;
-  IndicatorField           m_Field;
-  const ParallelFor &      m_ParallelFor;
-  const ProgressFunction & m_Progress;
-  std::vector<double>      m_Volumes;
-  ImagePlaces              m_Faces{ 0, {} };
+  const JunctionSet & m_Junctions;
+  const LabelVolume & m_Volume;
+  IndicatorField      m_Field;
+  const Execution &   m_Execution;
+  std::vector<double> m_Volumes;
+  ImagePlaces         m_Faces{ 0, {} };
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
   /** The mesh's own corners are in spatial order. */
@@ -261,12 +258,11 @@ private:
 
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
-         double trianglesPerCell, WallFittingStatistics * statistics, const ParallelFor & parallelFor,
-         const ProgressFunction & progress)
+         double trianglesPerCell, WallFittingStatistics * statistics, const Execution & execution)
 {
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
-  Fitter                  fitter(junctions, volume, parallelFor, progress);
+  Fitter                  fitter(junctions, volume, execution);
   WallMesh                mesh = fitter.MakeStar(complex, s);
   if (trianglesPerCell > 0.0)
   {
@@ -277,7 +273,7 @@ FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const 
     fitter.FitStar(mesh);
   }
   fitter.PutCornersInOrder(mesh);
-  s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, parallelFor).size());
+  s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
   return mesh;
 }
 } // namespace tissue

@@ -172,13 +172,13 @@ WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edge
 }
 
 void
-WallProjection::Move(WallMesh & mesh, const ParallelFor & parallelFor) const
+WallProjection::Move(WallMesh & mesh, const Execution & execution) const
 {
   for (std::size_t p = 0; p < m_Corners.size(); ++p)
   {
     mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
   }
-  RunFor(parallelFor, (m_Groups.size() + GroupsPerTask - 1) / GroupsPerTask, [&](std::size_t task) {
+  execution.For((m_Groups.size() + GroupsPerTask - 1) / GroupsPerTask, [&](std::size_t task) {
     for (std::size_t g = task * GroupsPerTask; g < std::min(m_Groups.size(), (task + 1) * GroupsPerTask); ++g)
     {
       this->MoveGroup(m_Groups[g], mesh);

@@ -7,10 +7,10 @@
 #ifndef TissueTessellationCore_WallProjection_h
 #define TissueTessellationCore_WallProjection_h
 
-#include "TissueTessellationCore/Mesh/WallMesh.h"
 #include "Image/ImagePlaces.h"
 #include "Image/IndicatorField.h"
 #include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
 
 namespace tissue
 {
@@ -35,7 +35,7 @@ public:
 
   /** The mesh may have changed in its points alone. */
   void
-  Move(WallMesh & mesh, const ParallelFor & parallelFor = ParallelFor()) const;
+  Move(WallMesh & mesh, const Execution & execution = Execution()) const;
 
 private:
   /** Points that follow the same cells. */

@@ -5,9 +5,10 @@
  *
  *=========================================================================*/
 #include "Geometry/BoxGrid.h"
-#include "TissueTessellationCore/Geometry/Vector.h"
-#include <cmath>
 
+#include "TissueTessellationCore/Geometry/Vector.h"
+
+#include <cmath>
 #include <limits>
 
 namespace tissue

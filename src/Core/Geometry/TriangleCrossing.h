@@ -7,7 +7,9 @@
 #ifndef TissueTessellationCore_TriangleCrossing_h
 #define TissueTessellationCore_TriangleCrossing_h
 
-#include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationCore/Common/Types.h"
+
+#include <vector>
 
 namespace tissue
 {
@@ -23,7 +25,7 @@ namespace tissue
  * Exact for every finite input. A triangle whose points are on one line is the segment that it covers; two such that
  * share an edge do not cross. */
 bool
-TrianglesCross(const std::vector<Point> & points, const std::array<PointId, 3> & a, const std::array<PointId, 3> & b);
+TrianglesCross(const std::vector<Point> & points, const Triangle & a, const Triangle & b);
 } // namespace tissue
 
 #endif

@@ -84,7 +84,7 @@ TriangleArea(const Point & a, const Point & b, const Point & c)
 }
 
 bool
-IsDegenerate(const WallMesh & mesh, const std::array<PointId, 3> & triangle)
+IsDegenerate(const WallMesh & mesh, const Triangle & triangle)
 {
   const Point & a = mesh.points[triangle[0]];
   const Point & b = mesh.points[triangle[1]];
@@ -138,7 +138,7 @@ private:
     const auto sidesEnd = m_SidesOfCell.End(cell);
     for (auto side = m_SidesOfCell.Begin(cell); side != sidesEnd; ++side)
     {
-      std::array<PointId, 3> triangle = m_Mesh.triangles[*side / 2];
+      Triangle triangle = m_Mesh.triangles[*side / 2];
       if (*side % 2 == 1)
       {
         std::swap(triangle[1], triangle[2]);

@@ -17,15 +17,14 @@ namespace tissue
 namespace
 {
 std::vector<TrianglePair>
-FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked,
-                      const ParallelFor & parallelFor)
+FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, const Execution & execution)
 {
-  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, isMarked, parallelFor);
+  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, isMarked, execution);
   std::vector<TrianglePair> crossings;
   const auto                test = [&](std::size_t i) {
     return TrianglesCross(mesh.points, mesh.triangles[close[i][0]], mesh.triangles[close[i][1]]);
   };
-  for (const std::size_t i : Select(close.size(), test, parallelFor))
+  for (const std::size_t i : Select(close.size(), test, execution))
   {
     crossings.push_back(close[i]);
   }
@@ -66,7 +65,7 @@ MarkNearWalls(const WallMesh & mesh, const std::vector<unsigned char> & isGiven)
 
 std::vector<TrianglePair>
 CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-                  const std::vector<unsigned char> & isMarked, const ParallelFor & parallelFor)
+                  const std::vector<unsigned char> & isMarked, const Execution & execution)
 {
   if (mesh.triangles.empty())
   {
@@ -84,7 +83,7 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
   }
   const BoxGrid                          grid(boxes);
   std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
-  RunFor(parallelFor, found.size(), [&](std::size_t layer) {
+  execution.For(found.size(), [&](std::size_t layer) {
     grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {
       if (isMarked[a] != 0 || isMarked[b] != 0)
       {
@@ -101,13 +100,13 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
 }
 
 std::vector<TrianglePair>
-FindCrossings(const WallMesh & mesh, const ParallelFor & parallelFor)
+FindCrossings(const WallMesh & mesh, const Execution & execution)
 {
-  return FindCrossingsOfMarked(mesh, std::vector<unsigned char>(mesh.triangles.size(), 1), parallelFor);
+  return FindCrossingsOfMarked(mesh, std::vector<unsigned char>(mesh.triangles.size(), 1), execution);
 }
 
 std::vector<TrianglePair>
-FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const ParallelFor & parallelFor)
+FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const Execution & execution)
 {
   if (walls.empty())
   {
@@ -133,7 +132,7 @@ FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, c
       numbers.push_back(static_cast<std::int32_t>(t));
     }
   }
-  std::vector<TrianglePair> crossings = FindCrossingsOfMarked(near, isMarked, parallelFor);
+  std::vector<TrianglePair> crossings = FindCrossingsOfMarked(near, isMarked, execution);
   for (TrianglePair & pair : crossings)
   {
     pair = { { numbers[pair[0]], numbers[pair[1]] } };

@@ -5,9 +5,9 @@
  *
  *=========================================================================*/
 #include "Optimization/EnergyFunction.h"
-#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
 #include "Complex/LocalSpacing.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ ListTetrahedra(const AdjacencyComplex & complex)
 
 void
 AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & parameters, double oneQuadruple,
-                 const ProgressFunction & progress)
+                 const Execution & execution)
 {
   AdjacencyComplex best = state.complex;
   double           bestEnergy = state.energy.Total();
@@ -39,7 +39,7 @@ AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & para
   for (int round = 0; round < parameters.numberOfRounds; ++round)
   {
     const double temperature = oneQuadruple * cooling.Temperature(round);
-    Report(progress, static_cast<double>(round) / parameters.numberOfRounds);
+    execution.Report(static_cast<double>(round) / parameters.numberOfRounds);
     const std::vector<TetrahedronId> list = state.WrongAndNeighbors(ListTetrahedra(state.complex));
     const std::size_t numberOfProposals = list.size() * static_cast<std::size_t>(parameters.proposalsPerTetrahedron);
     for (std::size_t i = 0; i < numberOfProposals; ++i)

@@ -25,7 +25,7 @@ namespace tissue
  * Requires a reference. `oneQuadruple` is the energy that temperatures are measured in. */
 void
 AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & parameters, double oneQuadruple,
-                 const ProgressFunction & progress = ProgressFunction());
+                 const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

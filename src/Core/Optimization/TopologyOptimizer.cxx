@@ -92,35 +92,34 @@ TopologyOptimizer::OneElement() const
 }
 
 std::vector<AnnealingCycle>
-TopologyOptimizer::Run(const ProgressFunction & progress)
+TopologyOptimizer::Run(const Execution & execution)
 {
   const bool isFocused =
     m_Annealing.isFocused && m_State.energy.GetReference() && m_Annealing.legality == Legality::Combinatorial;
-  const auto partOf = [&progress](double begin, double end) {
-    return [&progress, begin, end](double f) { return !progress || progress(begin + (end - begin) * f); };
-  };
-  const std::vector<AnnealingCycle> cycles = RunCycles(partOf(0.0, isFocused ? 0.4 : 1.0));
+  const std::vector<AnnealingCycle> cycles = RunCycles(execution.Part(0.0, isFocused ? 0.4 : 1.0));
   if (isFocused && m_State.energy.GetReference()->HasVotes())
   {
-    AnnealWhereWrong(m_State, VoteAnnealing(), OneElement(), partOf(0.4, 1.0));
+    AnnealWhereWrong(m_State, VoteAnnealing(), OneElement(), execution.Part(0.4, 1.0));
   }
   else if (isFocused)
   {
-    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), partOf(0.4, 0.6));
-    m_NumberOfRelocatedVertices = RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.6, 0.8));
+    AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), execution.Part(0.4, 0.6));
+    m_NumberOfRelocatedVertices =
+      RelocateVertices(m_State, m_Annealing.relocation, OneElement(), execution.Part(0.6, 0.8));
     // Once more and milder: a vertex at its place may have opened the way for others.
     FocusedAnnealingParameters milder = m_Annealing.focus;
     milder.initialTemperature *= 0.5;
     milder.numberOfRounds /= 2;
-    AnnealWhereWrong(m_State, milder, OneElement(), partOf(0.8, 0.9));
-    m_NumberOfRelocatedVertices += RelocateVertices(m_State, m_Annealing.relocation, OneElement(), partOf(0.9, 1.0));
+    AnnealWhereWrong(m_State, milder, OneElement(), execution.Part(0.8, 0.9));
+    m_NumberOfRelocatedVertices +=
+      RelocateVertices(m_State, m_Annealing.relocation, OneElement(), execution.Part(0.9, 1.0));
   }
-  Report(progress, 1.0);
+  execution.Report(1.0);
   return cycles;
 }
 
 std::vector<AnnealingCycle>
-TopologyOptimizer::RunCycles(const ProgressFunction & progress)
+TopologyOptimizer::RunCycles(const Execution & execution)
 {
   std::vector<AnnealingCycle> cycles;
   AdjacencyComplex            best = m_State.complex;
@@ -129,7 +128,7 @@ TopologyOptimizer::RunCycles(const ProgressFunction & progress)
   cycle.temperature = m_Annealing.initialTemperature * OneElement();
   for (int i = 0; i < m_Annealing.numberOfCycles; ++i)
   {
-    Report(progress, static_cast<double>(i) / m_Annealing.numberOfCycles);
+    execution.Report(static_cast<double>(i) / m_Annealing.numberOfCycles);
     cycle.numberOfRemovals = RemoveEdges(cycle.temperature);
     cycle.numberOfSwaps = SwapTriangles(cycle.temperature);
     cycle.energy = m_State.energy.Total();

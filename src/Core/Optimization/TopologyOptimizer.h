@@ -31,9 +31,9 @@ public:
                     const ReferenceAdjacency * reference, const EnergyParameters & energy,
                     const AnnealingParameters & annealing);
 
-  /** \throws Aborted where `progress` asks to stop; the complex is then valid, but not yet optimal. */
+  /** \throws Aborted where `execution` asks to stop; the complex is then valid, but not yet optimal. */
   std::vector<AnnealingCycle>
-  Run(const ProgressFunction & progress = ProgressFunction());
+  Run(const Execution & execution = Execution());
 
   /** Of the last Run(). */
   std::size_t
@@ -53,7 +53,7 @@ private:
   struct Candidate;
 
   std::vector<AnnealingCycle>
-  RunCycles(const ProgressFunction & progress);
+  RunCycles(const Execution & execution);
 
   Proposal
   ProposeRemoval(VertexPair edge) const;

@@ -291,7 +291,7 @@ CollectNeighbors(const std::vector<VertexQuadruple> &                   quadrupl
 
 std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
-                 const ProgressFunction & progress)
+                 const Execution & execution)
 {
   const ReferenceAdjacency &         reference = *state.energy.GetReference();
   const std::vector<VertexQuadruple> quadruples = reference.GetQuadruples();
@@ -333,7 +333,7 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
   std::size_t relocated = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    Report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
+    execution.Report(static_cast<double>(i) / static_cast<double>(order.size()));
     // An earlier one may have mended this one as well.
     const VertexId v = order[i].second;
     if (isWrong(countWrong(v), v))

@@ -25,7 +25,7 @@ namespace tissue
  * Requires a reference and combinatorial legality. `oneQuadruple` is the energy that temperatures are measured in. */
 std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
-                 const ProgressFunction & progress = ProgressFunction());
+                 const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

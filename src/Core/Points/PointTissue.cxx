@@ -239,20 +239,19 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
 }
 
 PointTissue
-EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const ParallelFor & parallelFor,
-               const ProgressFunction & progress)
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const Execution & execution)
 {
   RefusePointsOutOfRange(points);
   RefusePointsOutside(points, grid);
   TissueSurface    surface(points, BoxOf(grid));
   CentroidFit      fit(points, surface.FindNeighbors());
   const TissueGrid fitGrid = FitGridOf(points, grid);
-  TissueSamples    samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
+  TissueSamples    samples = SampleMask(surface.MakeMask(fitGrid, execution));
   constexpr double numberOfSteps = NumberOfRounds * SweepsPerRound + LastSweeps + SweepsOfVotes + 1;
   int              sweeps = 0;
   const auto       sweep = [&](double relaxation) {
-    fit.Sweep(samples, relaxation, parallelFor);
-    Report(progress, ++sweeps / numberOfSteps);
+    fit.Sweep(samples, relaxation, execution);
+    execution.Report(++sweeps / numberOfSteps);
   };
   for (int round = 0; round < NumberOfRounds; ++round)
   {
@@ -261,7 +260,7 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
       sweep(0.0);
     }
     surface.Follow(fit.GetSeeds());
-    samples = SampleMask(surface.MakeMask(fitGrid, parallelFor));
+    samples = SampleMask(surface.MakeMask(fitGrid, execution));
   }
   const double shift = MedianShift(fit, points, surface);
   const double relaxation = RelaxationOf(shift);
@@ -270,27 +269,25 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
     sweep(relaxation);
   }
   PointTissue tissue;
-  tissue.votes = VoteOnJunctions(
-    fit.GetSeeds(),
-    SpacingsOf(surface, points.size()),
-    samples,
-    fitGrid,
-    UncertaintyOf(relaxation),
-    ShapeDoubtOf(shift),
-    parallelFor,
-    [&](double fraction) { return !progress || progress((sweeps + fraction * SweepsOfVotes) / numberOfSteps); });
+  tissue.votes = VoteOnJunctions(fit.GetSeeds(),
+                                 SpacingsOf(surface, points.size()),
+                                 samples,
+                                 fitGrid,
+                                 UncertaintyOf(relaxation),
+                                 ShapeDoubtOf(shift),
+                                 execution.Part(sweeps / numberOfSteps, (sweeps + SweepsOfVotes) / numberOfSteps));
   if (fitGrid.NumberOfPoints() < grid.NumberOfPoints())
   {
-    samples = SampleMask(surface.MakeMask(grid, parallelFor));
+    samples = SampleMask(surface.MakeMask(grid, execution));
   }
-  const auto cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, parallelFor);
+  const auto cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, execution);
   tissue.labels.assign(grid.NumberOfPoints(), 0);
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     tissue.labels[grid.OffsetAt(samples.points[i])] = cells[i] + 1;
   }
   PlantLostCells(tissue.labels, grid, points);
-  Report(progress, 1.0);
+  execution.Report(1.0);
   return tissue;
 }
 } // namespace tissue

@@ -235,12 +235,12 @@ FillVoids(TissueMask & mask)
 
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                   const std::vector<double> & depths, const TissueGrid & grid, const ParallelFor & parallelFor)
+                   const std::vector<double> & depths, const TissueGrid & grid, const Execution & execution)
 {
   constexpr std::int32_t   planesAtATime = 4;
   const std::vector<Solid> solids = CollectSolids(complex, centers, depths);
   TissueMask               mask{ grid, std::vector<std::uint8_t>(grid.NumberOfPoints(), 0) };
-  RunFor(parallelFor, (mask.grid.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {
+  execution.For((mask.grid.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {
     const auto   first = static_cast<std::int32_t>(part) * planesAtATime;
     const auto   end = std::min(first + planesAtATime, mask.grid.size[2]);
     const double lower = mask.grid.lower[2] + first * mask.grid.steps[2];

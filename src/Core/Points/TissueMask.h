@@ -36,7 +36,7 @@ struct TissueMask
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                    const std::vector<double> & depths, const TissueGrid & grid,
-                   const ParallelFor & parallelFor = ParallelFor());
+                   const Execution & execution = Execution());
 
 /** The grid points in the tissue, in small groups. */
 TissueSamples

@@ -196,8 +196,8 @@ TissueSurface::FindNeighbors() const
 }
 
 TissueMask
-TissueSurface::MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor) const
+TissueSurface::MakeMask(const TissueGrid & grid, const Execution & execution) const
 {
-  return EstimateTissueMask(m_Complex, m_Centers, m_Depths, grid, parallelFor);
+  return EstimateTissueMask(m_Complex, m_Centers, m_Depths, grid, execution);
 }
 } // namespace tissue

@@ -36,7 +36,7 @@ public:
   Follow(const std::vector<MetricSeed> & seeds);
 
   TissueMask
-  MakeMask(const TissueGrid & grid, const ParallelFor & parallelFor = ParallelFor()) const;
+  MakeMask(const TissueGrid & grid, const Execution & execution = Execution()) const;
 
   /** The points next to each point in the cleaned complex. */
   CellNeighbors

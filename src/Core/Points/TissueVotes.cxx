@@ -114,7 +114,7 @@ CountVotes(std::vector<VertexQuadruple> all)
 std::vector<JunctionVote>
 VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double> & spacings,
                 const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
-                const ParallelFor & parallelFor, const ProgressFunction & progress)
+                const Execution & execution)
 {
   std::vector<std::size_t> offsets;
   offsets.reserve(samples.points.size());
@@ -126,7 +126,7 @@ VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double>
   std::vector<VertexQuadruple>              all;
   for (std::size_t done = 0; done < NumberOfVotes; done += VotesAtATime)
   {
-    RunFor(parallelFor, VotesAtATime, [&](std::size_t i) {
+    execution.For(VotesAtATime, [&](std::size_t i) {
       Random                  random(done + i);
       const double            roundness = shapeDoubt * static_cast<double>(done + i) / (NumberOfVotes - 1);
       std::vector<MetricSeed> disturbed;
@@ -146,7 +146,7 @@ VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double>
     {
       all.insert(all.end(), quadruples.begin(), quadruples.end());
     }
-    Report(progress, static_cast<double>(done + VotesAtATime) / NumberOfVotes);
+    execution.Report(static_cast<double>(done + VotesAtATime) / NumberOfVotes);
   }
   return CountVotes(std::move(all));
 }

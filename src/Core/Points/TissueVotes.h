@@ -33,8 +33,7 @@ namespace tissue
 std::vector<JunctionVote>
 VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double> & spacings,
                 const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
-                const ParallelFor &      parallelFor = ParallelFor(),
-                const ProgressFunction & progress = ProgressFunction());
+                const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -5,21 +5,21 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
-#include "Reconstruction/VoidMerging.h"
-#include "Optimization/TopologyOptimizer.h"
-#include "Dual/CellCorners.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
-#include "Adjacency/ReferenceAdjacency.h"
 
+#include "Adjacency/ReferenceAdjacency.h"
 #include "Adjacency/TissueParts.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
+#include "Dual/CellCorners.h"
 #include "Dual/DualMesh.h"
 #include "Geometry/SpatialOrder.h"
+#include "Optimization/TopologyOptimizer.h"
+#include "Reconstruction/VoidMerging.h"
 #include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <algorithm>
@@ -121,8 +121,8 @@ MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & para
  * of the time would go to fetching what lies far apart. */
 AdjacencyComplex
 ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, const std::vector<Point> & centersById,
-                   const ReconstructionParameters & parameters, const ProgressFunction & progress,
-                   TissueReconstruction & result)
+                   const ReconstructionParameters & parameters, TissueReconstruction & result,
+                   const Execution & execution)
 {
   Stopwatch                   stopwatch;
   const std::vector<VertexId> order = SpatialOrder(centersById);
@@ -149,7 +149,7 @@ ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, con
   const auto       numberOfVertices = static_cast<VertexId>(centers.size());
   AdjacencyComplex complex(numberOfVertices, Renumbered(TetrahedralizeParts(parts, centersById), ranks));
   result.delaunay = finishStage(complex);
-  Report(progress, DelaunayShare);
+  execution.Report(DelaunayShare);
 
   const SurfaceCleanUpParameters cleanUp = MakeCleanUp(junctions, parameters, complex, centers);
   result.maximumEdgeLength =
@@ -158,8 +158,7 @@ ReconstructComplex(const JunctionSet & junctions, const TissueParts & parts, con
   result.cleaned = finishStage(complex);
 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
-  result.cycles =
-    optimizer.Run([&](double fraction) { return !progress || progress(DelaunayShare + OptimizationShare * fraction); });
+  result.cycles = optimizer.Run(execution.Part(DelaunayShare, DelaunayShare + OptimizationShare));
   result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
   result.energy = optimizer.Energy();
   result.optimized = finishStage(complex);
@@ -201,8 +200,8 @@ MakeWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const
 } // namespace
 
 TissueReconstruction
-ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & parameters,
-                  const ProgressFunction & progress, const LabelVolume * volume, const ParallelFor & parallelFor)
+ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & parameters, const LabelVolume * volume,
+                  const Execution & execution)
 {
   parameters.Check();
   if (!parameters.separateVoids && !image.voids.empty())
@@ -214,8 +213,7 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
       const auto isVoid = [&image](VertexId v) { return image.IsVoid(v); };
       std::replace_if(merged.vertices.begin(), merged.vertices.end(), isVoid, ExteriorVertex);
     }
-    return ReconstructTissue(
-      MergeVoids(image), parameters, progress, volume != nullptr ? &merged : nullptr, parallelFor);
+    return ReconstructTissue(MergeVoids(image), parameters, volume != nullptr ? &merged : nullptr, execution);
   }
   TissueReconstruction     result;
   std::vector<CellRemark>  remarks;
@@ -229,17 +227,19 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   const JunctionSet & junctions = ofParts.cells.empty() ? image : ofParts;
   result.numberOfVoids = junctions.voids.size();
   result.numberOfParts = parts.parts.size();
-  const AdjacencyComplex complex = ReconstructComplex(junctions, parts, centers, parameters, progress, result);
+  const AdjacencyComplex complex = ReconstructComplex(junctions, parts, centers, parameters, result, execution);
 
   Stopwatch stopwatch;
   result.tetrahedra = MergeVoids(complex.GetTetrahedra(), junctions);
   result.isFitted = volume != nullptr && parameters.fitToImage;
-  const double begin = DelaunayShare + OptimizationShare;
-  const auto   fitProgress = [&](double fraction) { return !progress || progress(begin + (1.0 - begin) * fraction); };
   const double trianglesPerCell = parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0;
-  result.walls = result.isFitted
-                   ? FitWalls(complex, junctions, *volume, trianglesPerCell, &result.fitting, parallelFor, fitProgress)
-                   : MakeWalls(complex, junctions, parameters);
+  result.walls = result.isFitted ? FitWalls(complex,
+                                            junctions,
+                                            *volume,
+                                            trianglesPerCell,
+                                            &result.fitting,
+                                            execution.Part(DelaunayShare + OptimizationShare, 1.0))
+                                 : MakeWalls(complex, junctions, parameters);
   MergeVoids(result.walls, junctions);
   for (const VertexId cell : parts.strayCells)
   {
@@ -266,7 +266,7 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
     return a.cell < b.cell;
   });
   result.dualSeconds = stopwatch.Lap().wallSeconds;
-  Report(progress, 1.0);
+  execution.Report(1.0);
   return result;
 }
 } // namespace tissue

@@ -18,7 +18,7 @@ namespace
 constexpr double MostDistortion = 100.0;
 
 bool
-Holds(const std::array<PointId, 3> & triangle, PointId point)
+Holds(const Triangle & triangle, PointId point)
 {
   return triangle[0] == point || triangle[1] == point || triangle[2] == point;
 }

@@ -32,7 +32,7 @@ public:
   MovePoint(PointId point, const Point & target);
 
   static bool
-  IsGone(const std::array<PointId, 3> & triangle)
+  IsGone(const Triangle & triangle)
   {
     return triangle[0] == triangle[1];
   }

@@ -191,8 +191,7 @@ AddPoints(WallMesh & mesh, Cut & cut, std::vector<SplitEdge> & edges)
 
 /** Appends the triangle, or those it falls into: a fan for one of its split edges, whose triangles may fall further. */
 void
-AppendTriangle(const std::vector<SplitEdge> & edges, const std::array<PointId, 3> & t,
-               std::vector<std::array<PointId, 3>> & triangles)
+AppendTriangle(const std::vector<SplitEdge> & edges, const Triangle & t, std::vector<Triangle> & triangles)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -226,8 +225,8 @@ void
 SplitTrianglesAt(WallMesh & mesh, std::vector<SplitEdge> & edges)
 {
   std::sort(edges.begin(), edges.end());
-  std::vector<std::array<PointId, 3>> triangles;
-  std::vector<WallId>                 wallOfTriangle;
+  std::vector<Triangle> triangles;
+  std::vector<WallId>   wallOfTriangle;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (!LineCoarsening::IsGone(mesh.triangles[t]))

@@ -22,7 +22,7 @@ struct MeshEdge
 };
 
 std::array<PointId, 2>
-EdgeOf(const std::array<PointId, 3> & triangle, int i)
+EdgeOf(const Triangle & triangle, int i)
 {
   const PointId a = triangle[i];
   const PointId b = triangle[(i + 1) % 3];
@@ -65,7 +65,7 @@ SplitTriangles(WallMesh & mesh)
     mesh.points.push_back(0.5 * (mesh.points[edge.points[0]] + mesh.points[edge.points[1]]));
     mesh.numberOfCells.push_back(edge.numberOfTriangles > 2 ? CellsOnLine : CellsWithinWall);
   }
-  const auto middleOf = [&](const std::array<PointId, 3> & triangle, int i) {
+  const auto middleOf = [&](const Triangle & triangle, int i) {
     const auto at = std::lower_bound(
       edges.begin(),
       edges.end(),
@@ -73,8 +73,8 @@ SplitTriangles(WallMesh & mesh)
       [](const MeshEdge & edge, const std::array<PointId, 2> & points) { return edge.points < points; });
     return firstMiddle + static_cast<PointId>(at - edges.begin());
   };
-  std::vector<std::array<PointId, 3>> triangles;
-  std::vector<WallId>                 wallOfTriangle;
+  std::vector<Triangle> triangles;
+  std::vector<WallId>   wallOfTriangle;
   triangles.reserve(4 * mesh.triangles.size());
   wallOfTriangle.reserve(4 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

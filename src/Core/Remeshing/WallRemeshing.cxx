@@ -109,11 +109,11 @@ SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
 /** Calls change(w, piece) with the piece of each wall, and joins what is left of them. */
 template <typename TChange>
 void
-ChangeWalls(WallMesh & mesh, const ParallelFor & parallelFor, const TChange & change)
+ChangeWalls(WallMesh & mesh, const Execution & execution, const TChange & change)
 {
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   std::vector<WallPiece>         pieces(mesh.walls.size());
-  RunFor(parallelFor, pieces.size(), [&](std::size_t w) {
+  execution.For(pieces.size(), [&](std::size_t w) {
     pieces[w] = CutOutWall(mesh, first[w], first[w + 1]);
     change(w, pieces[w]);
   });
@@ -122,25 +122,24 @@ ChangeWalls(WallMesh & mesh, const ParallelFor & parallelFor, const TChange & ch
 } // namespace
 
 void
-RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Execution & execution)
 {
   RequireEdgeLengths(mesh, edgeLengths);
   const WallsAtPoints wallsAt(mesh);
   ChangeWalls(
-    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { RemeshPiece(mesh, wallsAt, edgeLengths[w], piece); });
+    mesh, execution, [&](std::size_t w, WallPiece & piece) { RemeshPiece(mesh, wallsAt, edgeLengths[w], piece); });
 }
 
 void
-SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor)
+SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Execution & execution)
 {
   RequireEdgeLengths(mesh, edgeLengths);
-  ChangeWalls(
-    mesh, parallelFor, [&](std::size_t w, WallPiece & piece) { SubdividePiece(mesh, edgeLengths[w], piece); });
+  ChangeWalls(mesh, execution, [&](std::size_t w, WallPiece & piece) { SubdividePiece(mesh, edgeLengths[w], piece); });
 }
 
 std::vector<double>
 RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors,
-                          const ParallelFor & parallelFor)
+                          const Execution & execution)
 {
   constexpr int    tries = 3;
   constexpr double tolerance = 0.02;
@@ -151,7 +150,7 @@ RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::
     mesh = before;
     std::vector<double> edgeLengths = ChooseEdgeLengths(mesh, ordered, factors);
     SubdivideLines(mesh, edgeLengths);
-    RemeshWalls(mesh, edgeLengths, parallelFor);
+    RemeshWalls(mesh, edgeLengths, execution);
     const double ratio = static_cast<double>(mesh.triangles.size()) / numberOfTriangles;
     if (i == tries || std::abs(ratio - 1.0) <= tolerance)
     {
@@ -186,8 +185,8 @@ ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> 
     }
     p = numberOf[p];
   };
-  std::vector<std::array<PointId, 3>> triangles;
-  std::vector<WallId>                 wallOfTriangle;
+  std::vector<Triangle> triangles;
+  std::vector<WallId>   wallOfTriangle;
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
   {
     const auto & source = isReplaced[w] != 0 ? other.triangles : mesh.triangles;

@@ -26,15 +26,14 @@ namespace tissue
  * outline: a wall of two corners needs points on its lines. \throws std::invalid_argument unless there is one length
  * for each wall, positive, and the triangles of a wall are consecutive. */
 void
-RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const ParallelFor & parallelFor = ParallelFor());
+RemeshWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Execution & execution = Execution());
 
 /** \brief Splits the longest edges within each wall at their middles until it has as many points as RemeshWalls() would
  * give it.
  *
  * The surface stays as it is, so that a mesh that does not cross itself still does not. Otherwise as RemeshWalls(). */
 void
-SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths,
-               const ParallelFor & parallelFor = ParallelFor());
+SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths, const Execution & execution = Execution());
 
 /** \brief SubdivideLines(), then RemeshWalls(), to a wanted number of triangles in all; returns the edge lengths used.
  *
@@ -42,7 +41,7 @@ SubdivideWalls(WallMesh & mesh, const std::vector<double> & edgeLengths,
  * twice; a number below what the outlines need is not reached. `factors` as there. */
 std::vector<double>
 RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors = {},
-                          const ParallelFor & parallelFor = ParallelFor());
+                          const Execution & execution = Execution());
 
 /** \brief Puts the triangles of `other` in the place of those of some walls.
  *

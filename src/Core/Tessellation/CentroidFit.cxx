@@ -16,12 +16,12 @@ namespace tissue
 {
 std::vector<Metric>
 SmoothMetrics(std::vector<Metric> metrics, const CellNeighbors & neighbors, int numberOfPasses,
-              const ParallelFor & parallelFor)
+              const Execution & execution)
 {
   std::vector<Metric> means(metrics.size());
   for (int pass = 0; pass < numberOfPasses; ++pass)
   {
-    RunFor(parallelFor, metrics.size(), [&](std::size_t cell) {
+    execution.For(metrics.size(), [&](std::size_t cell) {
       Metric mean = metrics[cell];
       for (std::size_t k = 0; k < mean.size(); ++k)
       {
@@ -76,20 +76,20 @@ CentroidFit::CentroidFit(std::vector<Point> points, CellNeighbors neighbors)
 }
 
 void
-CentroidFit::Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor)
+CentroidFit::Sweep(const TissueSamples & samples, double relaxation, const Execution & execution)
 {
-  const auto          cellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), samples, parallelFor);
+  const auto          cellOfSample = AssignSamples(AnisotropicTessellation(m_Seeds), samples, execution);
   const auto          cells = MeasureCells(samples.points, cellOfSample, m_Seeds.size(), samples.boxSize);
   std::vector<Metric> shapes(m_Seeds.size(), NoShape);
-  RunFor(parallelFor, m_Seeds.size(), [&](std::size_t i) {
+  execution.For(m_Seeds.size(), [&](std::size_t i) {
     this->Move(i, cells[i], relaxation);
     if (cells[i].numberOfPoints > 0)
     {
       shapes[i] = ShapeOf(cells[i].covariance);
     }
   });
-  const std::vector<Metric> common = SmoothMetrics(shapes, m_Neighbors, SmoothingPasses, parallelFor);
-  RunFor(parallelFor, m_Seeds.size(), [&](std::size_t i) {
+  const std::vector<Metric> common = SmoothMetrics(shapes, m_Neighbors, SmoothingPasses, execution);
+  execution.For(m_Seeds.size(), [&](std::size_t i) {
     Metric & log = m_LogMetrics[i];
     for (std::size_t k = 0; k < log.size(); ++k)
     {

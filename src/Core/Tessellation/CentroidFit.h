@@ -23,7 +23,7 @@ using CellNeighbors = std::vector<std::vector<std::size_t>>;
  * times. */
 std::vector<Metric>
 SmoothMetrics(std::vector<Metric> metrics, const CellNeighbors & neighbors, int numberOfPasses,
-              const ParallelFor & parallelFor = ParallelFor());
+              const Execution & execution = Execution());
 
 /** \brief Finds the anisotropic tessellation of a tissue whose cells have their centroids on given points.
  *
@@ -46,7 +46,7 @@ public:
    * \param relaxation how far the seeds are drawn back to their points after their step: 0 where points are exact, up
    * to 1, Voronoi cells but for the metrics, where they say little. */
   void
-  Sweep(const TissueSamples & samples, double relaxation, const ParallelFor & parallelFor = ParallelFor());
+  Sweep(const TissueSamples & samples, double relaxation, const Execution & execution = Execution());
 
   /** One for each point, in their order. */
   const std::vector<MetricSeed> &

@@ -274,8 +274,7 @@ GrowingTissue::Finish()
 } // namespace
 
 AnisotropicTessellation
-GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & options,
-                   const ProgressFunction & progress)
+GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & options, const Execution & execution)
 {
   const auto numberOfCells = static_cast<std::size_t>(options.numberOfCells);
   if (samples.points.size() < numberOfCells)
@@ -291,7 +290,7 @@ GrowSyntheticCells(const TissueSamples & samples, const SyntheticCellOptions & o
   GrowingTissue tissue(samples, options);
   for (int step = 0; step < numberOfSteps; ++step)
   {
-    Report(progress, static_cast<double>(step) / numberOfSteps);
+    execution.Report(static_cast<double>(step) / numberOfSteps);
     if (step < numberOfFounderSweeps)
     {
       tissue.RelaxFounders();

@@ -11,14 +11,13 @@
 namespace tissue
 {
 std::vector<AnisotropicTessellation::SeedId>
-AssignSamples(const AnisotropicTessellation & tessellation, const TissueSamples & samples,
-              const ParallelFor & parallelFor)
+AssignSamples(const AnisotropicTessellation & tessellation, const TissueSamples & samples, const Execution & execution)
 {
   using SeedId = AnisotropicTessellation::SeedId;
   // Groups are small: a thread takes many at a time.
   constexpr std::size_t groupsAtATime = 256;
   std::vector<SeedId>   cells(samples.points.size());
-  RunFor(parallelFor, (samples.groups.size() + groupsAtATime - 1) / groupsAtATime, [&](std::size_t batch) {
+  execution.For((samples.groups.size() + groupsAtATime - 1) / groupsAtATime, [&](std::size_t batch) {
     const std::size_t   last = std::min((batch + 1) * groupsAtATime, samples.groups.size());
     std::vector<SeedId> candidates;
     for (std::size_t g = batch * groupsAtATime; g < last; ++g)

@@ -186,7 +186,7 @@ TEST(TopologyOptimizer, ReportsProgressAndStopsOnRequest)
   EXPECT_EQ(fractions.back(), 1.0);
 
   int calls = 0;
-  EXPECT_THROW(optimizer.Run([&calls](double) { return ++calls < 3; }), Aborted);
+  EXPECT_THROW(optimizer.Run(Execution({}, [&calls](double) { return ++calls < 3; })), Aborted);
   EXPECT_EQ(calls, 3);
   EXPECT_TRUE(FindViolations(problem.complex).empty());
 }

@@ -85,7 +85,8 @@ TEST(VertexRelocation, StopsOnRequest)
   MisplacedCells problem(100, 3, 2);
   AnnealingState state = problem.MakeState();
   EXPECT_THROW(
-    RelocateVertices(state, VertexRelocationParameters(), problem.OneQuadruple(), [](double) { return false; }),
+    RelocateVertices(
+      state, VertexRelocationParameters(), problem.OneQuadruple(), Execution({}, [](double) { return false; })),
     Aborted);
   EXPECT_TRUE(FindViolations(problem.complex).empty());
 }

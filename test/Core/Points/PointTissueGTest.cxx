@@ -42,7 +42,7 @@ CentroidsOfCells()
   SyntheticCellOptions options;
   options.numberOfCells = 216;
   options.numberOfFounders = 27;
-  const auto         cells = AssignSamples(GrowSyntheticCells(samples, options, ProgressFunction()), samples);
+  const auto         cells = AssignSamples(GrowSyntheticCells(samples, options, Execution()), samples);
   std::vector<Point> points;
   for (const CellMoments & cell : MeasureCells(samples.points, cells, 216, samples.boxSize))
   {
@@ -234,12 +234,13 @@ TEST(PointTissue, CanBeAborted)
     return fraction < 0.5;
   };
   const TissueGrid grid = MakePointGrid(Lattice(), Cube, 100);
-  EXPECT_THROW(EstimateTissue(Lattice(), grid, ParallelFor(), progress), Aborted);
+  EXPECT_THROW(EstimateTissue(Lattice(), grid, Execution({}, progress)), Aborted);
   EXPECT_GE(last, 0.5);
   last = 0.0;
-  EXPECT_NO_THROW(EstimateTissue(Lattice(), grid, ParallelFor(), [&last](double fraction) {
+  const auto remember = [&last](double fraction) {
     last = fraction;
     return true;
-  }));
+  };
+  EXPECT_NO_THROW(EstimateTissue(Lattice(), grid, Execution({}, remember)));
   EXPECT_EQ(last, 1.0);
 }

@@ -19,7 +19,7 @@ constexpr double Half = 3.0;
 
 /** A cube of 4 on a grid of 24 along each axis of a cube of 6. */
 TissueMask
-MaskOfCube(double depth, const ParallelFor & parallelFor = ParallelFor())
+MaskOfCube(double depth, const Execution & execution = Execution())
 {
   std::vector<Point> centers{ NoPosition };
   for (int i = 0; i < 8; ++i)
@@ -28,7 +28,7 @@ MaskOfCube(double depth, const ParallelFor & parallelFor = ParallelFor())
   }
   const TissueGrid grid = MakeTissueGrid({ { { -Half, -Half, -Half } }, { { Half, Half, Half } } }, 0.25);
   return EstimateTissueMask(
-    DelaunayComplex(centers), centers, std::vector<double>(centers.size(), depth), grid, parallelFor);
+    DelaunayComplex(centers), centers, std::vector<double>(centers.size(), depth), grid, execution);
 }
 
 double

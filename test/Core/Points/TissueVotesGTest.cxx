@@ -36,12 +36,12 @@ EightCells(double turn)
 }
 
 std::vector<JunctionVote>
-Vote(const std::vector<MetricSeed> & seeds, double uncertainty, const ParallelFor & parallelFor = ParallelFor(),
-     double shapeDoubt = 0.0)
+Vote(const std::vector<MetricSeed> & seeds, double uncertainty, double shapeDoubt = 0.0,
+     const Execution & execution = Execution())
 {
   const TissueSamples samples = SampleMask({ Grid, std::vector<std::uint8_t>(Grid.NumberOfPoints(), 1) });
   return VoteOnJunctions(
-    seeds, std::vector<double>(seeds.size(), 1.0), samples, Grid, uncertainty, shapeDoubt, parallelFor);
+    seeds, std::vector<double>(seeds.size(), 1.0), samples, Grid, uncertainty, shapeDoubt, execution);
 }
 
 double
@@ -79,7 +79,7 @@ TEST(TissueVotes, DoubtOfShapesMakesSomeCellsRounder)
 {
   auto         seeds = EightCells(0.4);
   const double least = 0.5 / 32.0;
-  const auto   round = Vote(seeds, 0.0, ParallelFor(), 1.0);
+  const auto   round = Vote(seeds, 0.0, 1.0);
   ASSERT_FALSE(round.empty());
   for (const JunctionVote & vote : round)
   {
@@ -93,7 +93,7 @@ TEST(TissueVotes, DoubtOfShapesMakesSomeCellsRounder)
   }
   const auto sure = Vote(seeds, 0.0);
   const auto balls = Vote(EightCells(0.4), 0.0);
-  const auto doubted = Vote(seeds, 0.0, ParallelFor(), 1.0);
+  const auto doubted = Vote(seeds, 0.0, 1.0);
   for (const JunctionVote & vote : sure)
   {
     EXPECT_DOUBLE_EQ(vote.share, 1.0);
@@ -135,7 +135,6 @@ TEST(TissueVotes, CanBeAborted)
                                Grid,
                                0.03,
                                0.0,
-                               ParallelFor(),
-                               [](double) { return false; }),
+                               Execution({}, [](double) { return false; })),
                Aborted);
 }

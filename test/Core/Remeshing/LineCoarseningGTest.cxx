@@ -18,8 +18,8 @@ namespace
 WallMesh
 Cleaned(WallMesh mesh)
 {
-  std::vector<std::array<PointId, 3>> triangles;
-  std::vector<WallId>                 wallOfTriangle;
+  std::vector<Triangle> triangles;
+  std::vector<WallId>   wallOfTriangle;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (!LineCoarsening::IsGone(mesh.triangles[t]))

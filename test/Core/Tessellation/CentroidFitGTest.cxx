@@ -84,7 +84,7 @@ struct Recovery
     options.numberOfFounders = 64;
     options.anisotropy = 3.5;
     options.seed = 2;
-    truth = AssignSamples(GrowSyntheticCells(samples, options, ProgressFunction()), samples);
+    truth = AssignSamples(GrowSyntheticCells(samples, options, Execution()), samples);
     points = CentroidsOf(truth, samples, 64);
     voronoi = this->Assign(CentroidFit(points, Alone(64)));
   }
@@ -96,12 +96,12 @@ struct Recovery
   }
 
   CentroidFit
-  Fit(double relaxation, const ParallelFor & parallelFor = ParallelFor()) const
+  Fit(double relaxation, const Execution & execution = Execution()) const
   {
     CentroidFit fit(points, Alone(64));
     for (int sweep = 0; sweep < 20; ++sweep)
     {
-      fit.Sweep(samples, relaxation, parallelFor);
+      fit.Sweep(samples, relaxation, execution);
     }
     return fit;
   }
