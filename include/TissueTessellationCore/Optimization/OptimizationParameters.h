@@ -61,8 +61,7 @@ struct FocusedAnnealingParameters
   bool returnsFromMelting = true;
 };
 
-/** Which vertices are tried at another place, and how (VertexRelocation.h). More trials take more time in proportion.
- */
+/** Which vertices are tried at another place, and how (VertexRelocation.h). More trials take more time. */
 struct VertexRelocationParameters
 {
   /** A share of a vertex's quadruples in the reference, 0 or more: the vertex is tried where its missing quadruples and
@@ -73,9 +72,8 @@ struct VertexRelocationParameters
   double largestShare = 0.2;
   /** The number of places that are tried for a vertex, the most promising first. */
   int numberOfPlaces = 2;
-  /** The number of rounds of annealing around the vertex at its new place, the number of proposals that each makes for
-   * each tetrahedron there, and the temperatures of the first and of the last round, as in FocusedAnnealingParameters.
-   */
+  /** The rounds of annealing around the vertex at its new place, the proposals of each for each tetrahedron there, and
+   * the temperatures of the first and of the last round, as in FocusedAnnealingParameters. */
   int    numberOfRounds = 10;
   int    proposalsPerTetrahedron = 40;
   double initialTemperature = 0.5;

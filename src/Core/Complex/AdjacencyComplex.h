@@ -42,7 +42,7 @@ public:
     TetrahedronId incident;
   };
 
-  /** The link of an edge (u, v), a cycle. tetrahedra[i] is (u, v, vertices[i], vertices[i + 1]), positively oriented.
+  /** The link of an edge (u, v), a cycle: tetrahedra[i] is (u, v, vertices[i], vertices[i + 1]), positively oriented.
    */
   struct Ring
   {

@@ -39,8 +39,7 @@ public:
   Point
   OfEdge(VertexId u, VertexId v) const;
 
-  /** Places the exterior for a triangle that has it on one side: at the mean length of its edges from its barycentre.
-   */
+  /** Places the exterior for a triangle that has it on one side: at its mean edge length from its barycentre. */
   Point
   OfTriangle(const VertexTriple & triangle) const;
 

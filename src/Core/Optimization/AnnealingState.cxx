@@ -47,9 +47,8 @@ AnnealingState::RemoveEdgeByReference(VertexPair edge) const
 Proposal
 AnnealingState::ProposeAt(TetrahedronId id, std::int32_t maximumDegree)
 {
-  // Shares of the proposals. Edge removals outnumber swaps, since there are more of them: a tetrahedron has six edges
-  // and four triangles. Half of the rings are triangulated at random, which leads out of local minima, and half by the
-  // reference, which gains most often. Other shares were not compared.
+  // Shares of the proposals. With six edges and four triangles each element of a tetrahedron is proposed as often. Half
+  // of the rings are triangulated at random, which leads out of local minima, half by the reference, which gains more.
   constexpr double        removalShare = 0.6;
   constexpr double        randomRingShare = 0.5;
   constexpr int           edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };

@@ -174,7 +174,7 @@ EnergyFunction::SumsAfter(const Replacement & replacement) const
   }
   // The sum of the prior runs over cells, (n - N)^2 each. It changes at the ends of the edges that go and come, by n
   // and, where such an edge leads to the exterior, by N as well. Each vertex is collected with its whole change first,
-  // since the square of a sum is not the sum of squares. Most replacements change fewer than 16 vertices.
+  // since the square of a sum is not the sum of squares. Room for 16 of them is enough for an edge of degree 14.
   struct Change
   {
     VertexId     vertex;

@@ -39,8 +39,7 @@ public:
   EnergyFunction(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
 
-  /** Takes the complex as it is, after a change that Update() was not told of. Spacings stay as they were at the start.
-   */
+  /** Takes the complex as it is, after a change that Update() was not told of. Spacings stay those of the start. */
   void
   Recompute();
 

@@ -14,7 +14,7 @@
 namespace tissue
 {
 /** An operation with its energy difference when the phase was ranked. For a removal, `vertices` holds the edge. For a
- * swap it holds the tetrahedron's vertices, by which, with the vertex behind the triangle, the triangle is known again.
+ * swap it holds the tetrahedron's vertices: they and the vertex behind the triangle tell whether it is still the same.
  */
 struct TopologyOptimizer::Candidate
 {
@@ -32,8 +32,8 @@ namespace
 constexpr double HopelessTemperatures = 40.0;
 
 /** Returns the schedule of focused annealing for a reference with votes. There most tetrahedra are in doubt, so that
- * the lists are long and each tetrahedron gets few proposals. The energy of a good complex need not be below 0, so that
- * nothing tells when it has melted, and the start is less hot instead. */
+ * the lists are long, and each tetrahedron gets few proposals in few rounds. The energy of a good complex is not known
+ * to be below 0, so that no share of it can tell a melted one. */
 FocusedAnnealingParameters
 VoteAnnealing()
 {
