@@ -105,9 +105,9 @@ LocalOperations::SwapTriangle(TetrahedronId id, int i) const
   const VertexId     b = m_Complex.GetTetrahedron(neighbor).vertices[m_Complex.MirrorIndex(id, i)];
   const VertexTriple t = TriangleOpposite(tetrahedron.vertices, i);
 
-  // Legal where the new edge (a, b) does not exist. For geometric legality the exterior, if it is one of the five
-  // vertices, is placed relative to what lies opposite to it: an edge of the triangle where it is one of the triangle's
-  // corners, else the triangle.
+  // The swap is legal where the edge (a, b) does not exist. For geometric legality the exterior, if it is one of the
+  // five vertices, is placed relative to what lies opposite to it: an edge of the triangle where it is one of the
+  // triangle's corners, else the triangle.
   Proposal proposal;
   if (m_Complex.FindEdge(a, b))
   {
@@ -246,8 +246,8 @@ Proposal
 LocalOperations::ReplaceRing(VertexPair edge, const AdjacencyComplex::Ring & ring,
                              const RingTriangulation & triangles) const
 {
-  // Each triangle of the ring becomes two tetrahedra, one with each end of the edge. Legal where no diagonal exists
-  // already, nor, in a ring of three, which has none, the triangle itself.
+  // Each triangle of the ring becomes two tetrahedra, one with each end of the edge. This is legal where no diagonal
+  // exists already, nor, in a ring of three, which has none, the triangle itself.
   const int n = static_cast<int>(ring.vertices.size());
   if (triangles.empty())
   {
