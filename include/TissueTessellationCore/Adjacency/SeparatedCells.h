@@ -13,9 +13,12 @@
 
 namespace tissue
 {
-/** The cells that have no wall to another cell though another one is near: the sign of a segmentation whose cells are
- * eroded, with walls of background between them. Near: the distance of the centres is at most reach times the sum of
- * the radii of the balls of the cells' volumes. In ascending order, without the exterior. */
+/** Returns the cells that have no wall to another cell though another one is near, in ascending order, without the
+ * exterior: they are the sign of a segmentation whose cells are eroded, with walls of background between them.
+ *
+ * Two cells are near where the distance of their centres is at most `reach` times the sum of their radii, those of the
+ * balls of their volumes. Balls that touch have the ratio 1; a larger reach leaves room for the eroded wall and for
+ * cells that are no balls. */
 std::vector<VertexId>
 FindSeparatedCells(const JunctionSet & junctions, double reach = 1.5);
 } // namespace tissue

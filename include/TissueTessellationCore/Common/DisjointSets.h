@@ -27,7 +27,7 @@ public:
     }
   }
 
-  /** A new element, a set by itself. */
+  /** Adds an element, as a set by itself, and returns it. */
   std::int64_t
   Add()
   {
@@ -41,6 +41,7 @@ public:
     return m_Parents.size();
   }
 
+  /** Returns the representative of the element's set. */
   std::int64_t
   Find(std::int64_t element)
   {
@@ -52,7 +53,7 @@ public:
     return element;
   }
 
-  /** Joins the sets of two elements and gives their representative. */
+  /** Joins the sets of two elements and returns the representative of the joined one. */
   std::int64_t
   Unite(std::int64_t a, std::int64_t b)
   {

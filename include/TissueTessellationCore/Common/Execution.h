@@ -13,7 +13,7 @@
 
 namespace tissue
 {
-/** Thrown where the progress function of an Execution asked to stop. */
+/** The exception that is thrown when the progress function of an Execution has asked to stop. */
 class Aborted : public std::runtime_error
 {
 public:
@@ -24,21 +24,22 @@ public:
 
 /** \brief How a computation runs: who does its loops, who is told how far it is, and who may stop it.
  *
- * The core has no threads: who has some passes them in. A default-constructed object runs loops one after the other and
- * tells nobody. It is the last argument of all that may take long, and cheap to copy. What a computation yields does
- * not depend on it. */
+ * The core has no threads of its own: a caller that has some passes them in. A default-constructed object runs loops in
+ * the calling thread and tells nobody. An Execution is the last argument of every function that may take long, and is
+ * cheap to copy. The result of a computation does not depend on it. */
 class Execution
 {
 public:
   using LoopBody = std::function<void(std::size_t)>;
-  /** Calls the body with 0 ... count - 1, each once, in any order and from any thread; returns when all are done. */
+  /** A loop calls the body once with each of 0 ... count - 1, in any order and from any thread, and returns when all
+   * calls are done. */
   using ParallelLoop = std::function<void(std::size_t count, const LoopBody & body)>;
-  /** Told the fraction of the whole that is done, in 0 .. 1, ascending; returns false to stop. */
+  /** The function is told the fraction of the whole that is done, in 0 .. 1, ascending, and returns false to stop. */
   using ProgressFunction = std::function<bool(double)>;
 
   Execution() = default;
 
-  /** Either may be empty. */
+  /** Either function may be empty. */
   explicit Execution(ParallelLoop loop, ProgressFunction progress = {})
     : m_Loop(std::move(loop))
     , m_Progress(std::move(progress))
@@ -59,7 +60,7 @@ public:
     }
   }
 
-  /** Tells the fraction that is done; not from within a loop's body.
+  /** Tells the progress function which fraction is done. It must not be called from within a loop's body.
    * \throws Aborted where the progress function returns false. */
   void
   Report(double fraction) const
@@ -70,7 +71,7 @@ public:
     }
   }
 
-  /** The same for a part of the computation, whose 0 .. 1 is begin .. end of the whole. */
+  /** Returns the execution of a part of the computation, whose 0 .. 1 is begin .. end of the whole. */
   Execution
   Part(double begin, double end) const
   {

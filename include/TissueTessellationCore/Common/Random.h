@@ -12,8 +12,9 @@
 
 namespace tissue
 {
-/** \brief A seeded stream of random numbers, the same on every platform: the distributions of the standard library are
- * not, its engines are. */
+/** \brief A seeded stream of random numbers that is the same on every platform.
+ *
+ * The standard library's engines give the same numbers everywhere, but its distributions do not. */
 class Random
 {
 public:
@@ -21,14 +22,14 @@ public:
     : m_Engine(seed)
   {}
 
-  /** Uniform in [0, 1). */
+  /** Returns a number that is uniform in [0, 1): the engine's upper 53 bits, as many as a double keeps, over 2^53. */
   double
   Uniform()
   {
     return static_cast<double>(m_Engine() >> 11) * (1.0 / 9007199254740992.0);
   }
 
-  /** Uniform in 0 .. bound - 1, up to a bias below bound / 2^53; `bound` must be above 0. */
+  /** Returns an index that is uniform in 0 .. bound - 1, up to a bias below bound / 2^53. `bound` must be above 0. */
   std::size_t
   Index(std::size_t bound)
   {

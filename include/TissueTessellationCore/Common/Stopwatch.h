@@ -12,17 +12,19 @@
 
 namespace tissue
 {
-/** Time on the wall, and of all of the program's threads on the processors, which other programs disturb less. */
+/** The time that has gone by on the clock, and the time that all threads of the program spent on the processors, which
+ * other programs disturb less. Both are in seconds. */
 struct ElapsedTime
 {
   double wallSeconds = 0.0;
   double processorSeconds = 0.0;
 };
 
+/** \brief Measures times from lap to lap; it starts when it is made. */
 class Stopwatch
 {
 public:
-  /** Since the last call or the start. */
+  /** Returns the time since the last call, or since the start. */
   ElapsedTime
   Lap()
   {

@@ -27,7 +27,7 @@ struct AdjacencyOverlap
   double adjacency4 = 0.0;
 };
 
-/** |A & B| / |A | B| from the sizes of A, B and A & B; 0 where both sets are empty. */
+/** Returns |A & B| / |A | B| from the sizes of A & B, A and B; 0 where both sets are empty. */
 inline double
 Jaccard(std::size_t common, std::size_t first, std::size_t second)
 {
@@ -35,12 +35,12 @@ Jaccard(std::size_t common, std::size_t first, std::size_t second)
   return all > 0 ? static_cast<double>(common) / static_cast<double>(all) : 0.0;
 }
 
-/** Of a complex whose vertices are those of the reference. */
+/** Compares a complex with a reference that has the same vertices. */
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
 
-/** Of tetrahedra over vertices of their own and the junctions of an image: ids[v] is what v is in the image, negative
- * where it is nothing there. */
+/** Compares tetrahedra over vertices of their own with the junctions of an image: their vertex v is ids[v] in the
+ * image, or is not there where that is negative. */
 AdjacencyOverlap
 ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
                         const JunctionSet & image);

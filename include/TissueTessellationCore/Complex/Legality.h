@@ -9,13 +9,13 @@
 
 namespace tissue
 {
-/** What makes an operation legal. */
+/** The rule that says which operations are legal. */
 enum class Legality
 {
   /** The complex stays a closed simplicial 3-manifold: no edge and no triangle is made that exists already. */
   Combinatorial,
-  /** In addition, every created tetrahedron is positively oriented with the cell centres as positions and the exterior
-   * at its place relative to the element that is replaced (paper, sections 3.2 and 3.3). */
+  /** In addition, every created tetrahedron is positively oriented. Positions are the cell centres, and for the
+   * exterior its place relative to the element that is replaced (paper, sections 3.2 and 3.3). */
   Geometric
 };
 } // namespace tissue

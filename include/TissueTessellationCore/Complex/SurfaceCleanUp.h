@@ -18,13 +18,14 @@ class ReferenceAdjacency;
 
 struct SurfaceCleanUpParameters
 {
-  /** l_max: a surface triangle with a longer edge is oversized. In the units of the centres; must be above 0. */
+  /** The paper's l_max: a surface triangle with a longer edge is oversized. It is in the units of the centres, or, with
+   * localLengths, a multiple of them, and must be above 0. */
   double maximumEdgeLength = 0.0;
-  /** Of each vertex, the length that maximumEdgeLength is a multiple of, for an edge the mean of its two ends': a limit
-   * that follows the local spacing (LocalSpacing.h). Empty: all are 1. */
+  /** A length for each vertex, so that the limit follows the local spacing (LocalSpacing.h): the limit of an edge is
+   * maximumEdgeLength times the mean of its two ends' lengths. If empty, all lengths are 1. */
   std::vector<double> localLengths;
-  /** With a reference: only edges that are no pair of it count as oversized, and no cell that does not touch the
-   * exterior in the reference is exposed. */
+  /** Whether a reference, if there is one, guides the clean-up: only edges that are no pair of it count as oversized,
+   * and no cell that does not touch the exterior in it is exposed. */
   bool guidedByReference = false;
 };
 

@@ -9,15 +9,14 @@
 
 namespace tissue
 {
-/** Where the corners of the cells are put. */
+/** The rule that says where the corners of the cells are put. */
 enum class CornerRule
 {
-  /** The paper's transform g of the cell centres. */
+  /** A corner is at the paper's transform g of the cell centres. */
   ProjectedCircumcenter,
-  /** Likewise, but those at the exterior where the surface of the tissue is (SurfaceLift.h). */
+  /** A corner is at the transform g, but those at the exterior are on the tissue's surface (SurfaceLift.h). */
   LiftedCircumcenter,
-  /** The junction of the image where it has one of the same four cells; the mean of the neighbouring corners elsewhere.
-   */
+  /** A corner is at the image's junction of its four cells, or else at the mean of its neighbours. */
   ImageJunction
 };
 } // namespace tissue

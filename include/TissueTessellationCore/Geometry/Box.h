@@ -14,13 +14,14 @@
 
 namespace tissue
 {
-/** A box along the axes; of one point where its two corners are equal. */
+/** A box along the axes, its sides included. It is one point where its two corners are equal. */
 struct Box
 {
   Point lower;
   Point upper;
 };
 
+/** Whether two boxes have a point in common. */
 inline bool
 Overlap(const Box & a, const Box & b)
 {
@@ -28,6 +29,7 @@ Overlap(const Box & a, const Box & b)
          a.lower[2] <= b.upper[2] && b.lower[2] <= a.upper[2];
 }
 
+/** Makes a box as large as it must be to hold a point. */
 inline void
 Extend(Box & box, const Point & p)
 {

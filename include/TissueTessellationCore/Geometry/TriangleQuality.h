@@ -14,13 +14,15 @@
 
 namespace tissue
 {
-/** \brief 4 sqrt(3) area / sum of squared edge lengths: 1 for an equilateral triangle, 0 for collinear or equal points.
- * (R. E. Bank and R. K. Smith, Mesh smoothing using a posteriori error estimates, SIAM J. Numer. Anal. 34, 1997.) */
+/** \brief Returns 4 sqrt(3) area / sum of squared edge lengths: 1 for an equilateral triangle, 0 for collinear or equal
+ * points (R. E. Bank and R. K. Smith, Mesh smoothing using a posteriori error estimates, SIAM J. Numer. Anal. 34,
+ * 1997).
+ */
 double
 TriangleQuality(const Point & a, const Point & b, const Point & c);
 
-/** 1 / TriangleQuality squared: at least 1, infinite for a degenerate triangle. Needs no root, and is for inner loops.
- */
+/** Returns 1 / TriangleQuality()^2: at least 1, and infinite for a degenerate triangle. It needs no root, so that it is
+ * fast enough for inner loops. */
 inline double
 TriangleDistortion(const Point & a, const Point & b, const Point & c)
 {
@@ -33,8 +35,8 @@ TriangleDistortion(const Point & a, const Point & b, const Point & c)
   return area > 0.0 ? squares * squares / (12.0 * area) : std::numeric_limits<double>::infinity();
 }
 
-/** How TriangleDistortion changes with its first point; within the triangle's plane. Not finite for a degenerate
- * triangle. */
+/** Returns the gradient of TriangleDistortion() by its first point, which lies in the triangle's plane. It is not
+ * finite for a degenerate triangle. */
 Point
 TriangleDistortionGradient(const Point & a, const Point & b, const Point & c);
 
@@ -42,12 +44,12 @@ TriangleDistortionGradient(const Point & a, const Point & b, const Point & c);
 struct QualitySummary
 {
   double mean = 0.0;
-  /** A twentieth of the triangles are worse. */
+  /** The quality than which a twentieth of the triangles are worse. */
   double fifthPercentile = 0.0;
   double least = 0.0;
 };
 
-/** All zero without triangles. */
+/** Summarizes the quality of some triangles; without triangles all of the summary is 0. */
 QualitySummary
 SummarizeTriangleQuality(const std::vector<Point> & points, const std::vector<Triangle> & triangles);
 } // namespace tissue

@@ -62,7 +62,7 @@ TriangleArea(const Point & a, const Point & b, const Point & c)
   return 0.5 * Norm(Cross(b - a, c - a));
 }
 
-/** The vector at length 1; the zero vector stays zero. */
+/** Returns the vector scaled to the length 1; the zero vector stays zero. */
 inline Point
 Normalized(const Point & a)
 {

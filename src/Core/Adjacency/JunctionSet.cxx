@@ -16,7 +16,7 @@ namespace tissue
 {
 namespace
 {
-/** In a list that is sorted by `cells`, ascending tuples. */
+/** Finds the entry of some cells, given in any order, in a list that is sorted by `cells`, whose tuples ascend. */
 template <typename TEntry, typename TTuple>
 const TEntry *
 Find(const std::vector<TEntry> & entries, TTuple cells)

@@ -14,11 +14,11 @@
 
 namespace tissue
 {
-/** \brief JunctionSet::votes to ask by quadruples. */
+/** \brief The votes of JunctionSet::votes, to be looked up by quadruples. */
 class JunctionVotes
 {
 public:
-  /** \param votes each quadruple once, ascending within, in ascending order. */
+  /** \param votes in ascending order of their quadruples, each of which is there once, with its vertices ascending. */
   JunctionVotes(VertexId numberOfVertices, const std::vector<JunctionVote> & votes);
 
   bool
@@ -27,7 +27,7 @@ public:
     return m_Shares.empty();
   }
 
-  /** Of a quadruple of vertices in any order; 0 where it has no vote. */
+  /** Returns the share of the votes that a quadruple has, its vertices in any order; 0 where it has none. */
   double
   Share(const VertexQuadruple & vertices) const
   {
@@ -35,32 +35,34 @@ public:
     return at == QuadrupleSet::NotFound ? 0.0 : m_Shares[static_cast<std::size_t>(at)];
   }
 
-  /** All, in no special order. */
+  /** Returns all votes, in no special order. */
   std::vector<JunctionVote>
   List() const;
 
 private:
   QuadrupleSet m_Quadruples;
-  /** In the order of the set. */
+  /** The shares of the quadruples, in the order of the set. */
   std::vector<double> m_Shares;
 };
 
-/** \brief The adjacencies that an image shows, as sets to ask: E_S, the pairs of cells that share a wall, and T_S, the
- * quadruples of cells that meet at a point (paper, sections 3.4 and 4.1). The exterior counts as a cell. */
+/** \brief The adjacencies that an image shows, as sets that can be asked for members: E_S, the pairs of cells that
+ * share a wall, and T_S, the quadruples of cells that meet at a point (paper, sections 3.4 and 4.1). The exterior
+ * counts as a cell. */
 class ReferenceAdjacency
 {
 public:
   /** \throws std::invalid_argument for more than 2 097 151 cells: ids are kept in 21 bits. */
   explicit ReferenceAdjacency(const JunctionSet & junctions);
 
-  /** The same adjacencies of vertices by new ids: ids[v], a permutation, for v. */
+  /** Returns the same adjacencies with each vertex v called ids[v]; `ids` is a permutation. */
   ReferenceAdjacency
   Renumbered(const std::vector<VertexId> & ids) const;
 
+  /** Whether the image shows a wall of the two. */
   bool
   HasPair(VertexId u, VertexId v) const;
 
-  /** Vertices in any order. */
+  /** Whether the image shows that the four meet; the vertices are in any order. */
   bool
   HasQuadruple(const VertexQuadruple & vertices) const
   {
@@ -74,19 +76,19 @@ public:
     return !m_Votes.IsEmpty();
   }
 
-  /** How sure it is that the four meet, in 0 .. 1: the share of the votes, and where there are none, 1 for the
-   * quadruples of the reference and 0 for others. Vertices in any order. */
+  /** Tells how sure it is that the four meet, in 0 .. 1: the share of the votes, or, in a reference without votes, 1
+   * for its quadruples and 0 for all others. The vertices are in any order. */
   double
   Certainty(const VertexQuadruple & vertices) const
   {
     return this->HasVotes() ? m_Votes.Share(vertices) : this->HasQuadruple(vertices) ? 1.0 : 0.0;
   }
 
-  /** All pairs, ascending within each. */
+  /** Returns all pairs, the smaller vertex of each first. */
   std::vector<VertexPair>
   GetPairs() const;
 
-  /** All quadruples, ascending within each. */
+  /** Returns all quadruples, each with its vertices ascending. */
   std::vector<VertexQuadruple>
   GetQuadruples() const
   {
@@ -106,11 +108,12 @@ public:
   }
 
 private:
-  /** Of tuples that ascend, each within, and all of them by the smaller ones of each. */
+  /** Takes tuples whose vertices ascend, in ascending order. */
   ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
                      const std::vector<VertexQuadruple> & quadruples, const std::vector<JunctionVote> & votes);
 
-  /** Compressed rows: the row of a vertex holds the pairs of which it is the larger, by the other, ascending. */
+  /** The pairs, in compressed rows: the row of a vertex holds the smaller vertices of the pairs in which it is the
+   * larger one, ascending. */
   std::vector<std::size_t> m_PairRows;
   std::vector<VertexId>    m_Smaller;
   QuadrupleSet             m_Quadruples;

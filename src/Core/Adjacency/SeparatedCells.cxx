@@ -12,9 +12,11 @@ namespace tissue
 {
 namespace
 {
+/** Whether the centres of two cells are at most `reach` times the sum of the radii of their balls apart. */
 bool
 AreNear(const Cell & a, const Cell & b, double reach)
 {
+  // The volume of a ball of radius 1, 4 pi / 3.
   constexpr double ballOfUnitRadius = 4.1887902047863905;
   const double     radii = std::cbrt(a.volume / ballOfUnitRadius) + std::cbrt(b.volume / ballOfUnitRadius);
   const double distance = std::hypot(a.center[0] - b.center[0], a.center[1] - b.center[1], a.center[2] - b.center[2]);

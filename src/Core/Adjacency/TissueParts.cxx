@@ -18,7 +18,7 @@ namespace tissue
 {
 namespace
 {
-/** Whether the centres of the cells span the space, so that they have a tetrahedralization. */
+/** Whether the centres of the cells do not lie in one plane, so that they have a tetrahedralization. */
 bool
 CanBeComplex(const std::vector<VertexId> & cells, const std::vector<Point> & centers)
 {
@@ -30,6 +30,7 @@ CanBeComplex(const std::vector<VertexId> & cells, const std::vector<Point> & cen
   return !AreCoplanar(points);
 }
 
+/** Returns the sets of cells that junctions connect, each ascending, the largest set first. */
 std::vector<std::vector<VertexId>>
 ConnectByJunctions(const JunctionSet & junctions)
 {
@@ -61,6 +62,7 @@ ConnectByJunctions(const JunctionSet & junctions)
   return parts;
 }
 
+/** Adds each void to the part with whose cells it has most junctions. */
 void
 AddVoids(const JunctionSet & junctions, TissueParts & parts)
 {
@@ -86,7 +88,7 @@ AddVoids(const JunctionSet & junctions, TissueParts & parts)
   }
 }
 
-/** The part that holds the cell nearest to the given one. */
+/** Returns the index of the part that holds the cell nearest to the given one. */
 std::size_t
 NearestPart(VertexId cell, const std::vector<std::vector<VertexId>> & parts, const std::vector<Point> & centers)
 {

@@ -24,11 +24,12 @@ Median(std::vector<double> values)
   return *middle;
 }
 
-/** Of 0 ... count - 1 those for which the test holds, ascending. */
+/** Returns those of 0 ... count - 1 for which the test holds, ascending. The test may be called from any thread. */
 template <typename TTest>
 std::vector<std::size_t>
 Select(std::size_t count, const TTest & test, const Execution & execution)
 {
+  // One call of the loop tests this many numbers: enough to outweigh the call, few enough to keep all threads busy.
   constexpr std::size_t                 chunk = 4096;
   std::vector<std::vector<std::size_t>> found((count + chunk - 1) / chunk);
   execution.For(found.size(), [&](std::size_t c) {

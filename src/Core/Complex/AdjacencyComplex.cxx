@@ -15,13 +15,13 @@ namespace tissue
 {
 namespace
 {
-/** A triangle with one of its two sides. */
+/** A triangle as one of its two tetrahedra sees it. */
 struct Side
 {
-  VertexTriple  triangle; // ascending
-  bool          isEven;   // the ascending order is counterclockwise seen from outside the tetrahedron
+  VertexTriple  triangle; // Its vertices ascend.
+  bool          isEven;   // Whether their ascending order is counterclockwise, seen from outside the tetrahedron.
   TetrahedronId tetrahedron;
-  int           opposite;
+  int           opposite; // The index of the tetrahedron's vertex that is not in the triangle.
 };
 
 Side
@@ -51,6 +51,7 @@ PairUp(TSides & sides)
   return true;
 }
 
+/** Makes the two tetrahedra of each triangle neighbours. */
 template <typename TTetrahedra, typename TSides>
 void
 Link(TTetrahedra & tetrahedra, const TSides & pairedSides)
@@ -151,7 +152,7 @@ AdjacencyComplex::FindIncidentTetrahedron(VertexId v) const
   {
     return m_Edges[v].front().incident;
   }
-  // Only edges to vertices of larger index: their lists hold them.
+  // All edges of this vertex lead to vertices of larger index, whose lists hold them.
   for (VertexId w = v + 1; w < NumberOfVertices(); ++w)
   {
     if (const Edge * const edge = FindEdge(v, w))
@@ -317,7 +318,9 @@ AdjacencyComplex::Allocate()
 Replacement
 AdjacencyComplex::Apply(const Replacement & replacement)
 {
-  // The created tetrahedra are placed after all others until their boundary has been checked.
+  // First the check, which changes nothing: the outer sides of the removed tetrahedra's boundary and the sides of the
+  // created ones must pair up. Created tetrahedra have ids after all others until then. Room for 64 sides is what the
+  // removal of an edge of degree 8 needs, 2 n + 4 (2 n - 4).
   const TetrahedronId                      provisional = TetrahedronIdBound();
   boost::container::small_vector<Side, 64> sides;
   const auto                               isRemoved = [&replacement](TetrahedronId id) {
@@ -351,6 +354,8 @@ AdjacencyComplex::Apply(const Replacement & replacement)
     throw std::logic_error("AdjacencyComplex::Apply: removed and created tetrahedra have not the same boundary");
   }
 
+  // Then the change: the ids of the removed tetrahedra are freed, the created ones take them, the records of the edges
+  // follow, and the pairs of sides become neighbours.
   Replacement inverse;
   inverse.createdEdges = replacement.removedEdges;
   inverse.removedEdges = replacement.createdEdges;

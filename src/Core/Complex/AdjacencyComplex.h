@@ -23,8 +23,8 @@ namespace tissue
  * Tetrahedra are oriented: (a, b, c, d) and its even permutations are the same one. With positions, a positive
  * tetrahedron has det(b - a, c - a, d - a) > 0. `neighbors[i]` is across the triangle opposite to `vertices[i]`.
  *
- * What survives Apply(): ids of the tetrahedra that are not removed. The ids of removed ones are given to later ones.
- */
+ * Apply() leaves the ids of the tetrahedra that it does not remove as they are. The ids of removed ones are given to
+ * later ones. */
 class AdjacencyComplex
 {
 public:
@@ -34,7 +34,7 @@ public:
     std::array<TetrahedronId, 4> neighbors;
   };
 
-  /** An edge: its vertices, the number of tetrahedra incident to it, and one of them. */
+  /** An edge, with the number of tetrahedra that are incident to it, and one of them. */
   struct Edge
   {
     VertexPair    vertices;
@@ -42,14 +42,15 @@ public:
     TetrahedronId incident;
   };
 
-  /** The link of an edge (u, v): the tetrahedra (u, v, vertices[i], vertices[i + 1]), positively oriented, cyclic. */
+  /** The link of an edge (u, v), a cycle: tetrahedra[i] is (u, v, vertices[i], vertices[i + 1]), positively oriented.
+   */
   struct Ring
   {
     Replacement::List<VertexId>      vertices;
     Replacement::List<TetrahedronId> tetrahedra;
   };
 
-  /** From positively oriented tetrahedra over the vertices 0 .. numberOfVertices - 1.
+  /** Makes a complex of positively oriented tetrahedra over the vertices 0 .. numberOfVertices - 1.
    * \throws std::invalid_argument where a triangle is not in exactly two of them, the two are not oriented alike, or a
    * vertex is out of range. */
   AdjacencyComplex(VertexId numberOfVertices, const std::vector<VertexQuadruple> & tetrahedra);
@@ -91,83 +92,87 @@ public:
     return m_Tetrahedra[id];
   }
 
-  /** The edge's record, or nullptr where u and v are not adjacent. */
+  /** Returns the edge's record, or nullptr where u and v are not adjacent. */
   const Edge *
   FindEdge(VertexId u, VertexId v) const;
 
   bool
   HasTriangle(VertexId a, VertexId b, VertexId c) const;
 
-  /** Number of vertices adjacent to v, the exterior included. */
+  /** Returns the number of vertices adjacent to v, the exterior included. */
   std::int32_t
   NumberOfNeighbors(VertexId v) const
   {
     return m_NumberOfNeighbors[v];
   }
 
-  /** A tetrahedron incident to the vertex.
+  /** Returns a tetrahedron that is incident to the vertex.
    * \throws std::invalid_argument where there is none. */
   TetrahedronId
   FindIncidentTetrahedron(VertexId v) const;
 
-  /** All tetrahedra incident to the vertex, each once, in an order that depends on the history. */
+  /** Returns all tetrahedra incident to the vertex, each once, in an order that depends on the history. */
   std::vector<TetrahedronId>
   GetStar(VertexId v) const;
 
-  /** The link of the edge (u, v).
+  /** Returns the link of the edge (u, v).
    * \throws std::invalid_argument where u and v are not adjacent. */
   Ring
   GetRing(VertexId u, VertexId v) const;
 
-  /** Index in the neighbour across triangle i of the vertex that is opposite to that triangle. */
+  /** Returns, for the neighbour across triangle i, the index of its vertex that is opposite to that triangle. */
   int
   MirrorIndex(TetrahedronId id, int i) const;
 
-  /** All edges, ascending by their vertices (the smaller one first). */
+  /** Returns all edges, ascending by their vertices, the smaller one of each first. */
   std::vector<Edge>
   GetEdges() const;
 
-  /** All tetrahedra, positively oriented, ascending, each turned so that its smallest vertex comes first and the
-   * smallest of the others second: the same for equal complexes whatever their history. */
+  /** Returns all tetrahedra, positively oriented, in ascending order. Each is turned so that its smallest vertex comes
+   * first and the smallest of the others second, so that equal complexes give the same list whatever their history. */
   std::vector<VertexQuadruple>
   GetTetrahedra() const;
 
-  /** Of each tetrahedron id, its index in GetTetrahedra(); -1 of an id that is not taken. */
+  /** Returns the index in GetTetrahedra() of each tetrahedron id, and -1 for an id that is not taken. */
   std::vector<std::int32_t>
   GetTetrahedronRanks() const;
 
   /** Carries out the replacement and returns its inverse. A series of replacements is undone by their inverses in
    * reverse order, which restores the ids as well.
-   * \throws std::logic_error where a tetrahedron to remove does not exist, or removed and created tetrahedra have not
-   * the same boundary, orientation included; nothing is changed. */
+   * \throws std::logic_error where a tetrahedron to remove does not exist, or the boundaries of the removed and of the
+   * created tetrahedra differ, be it in orientation; nothing is changed then. */
   Replacement
   Apply(const Replacement & replacement);
 
 private:
+  /** The neighbour of an id that is not taken, by which IsAlive() knows it: any value below 0 would do. */
   static constexpr TetrahedronId Dead = -2;
 
   Edge &
   EdgeOfAdjacentVertices(VertexId u, VertexId v);
 
+  /** Adds the change, +1 or -1, to the degree of each of the tetrahedron's six edges; edges come and go with it. */
   void
   CountEdges(const VertexQuadruple & vertices, TetrahedronId id, int change);
 
+  /** Returns an id that is not taken, the one freed last if there is one. */
   TetrahedronId
   Allocate();
 
   std::vector<Tetrahedron>   m_Tetrahedra;
   std::vector<TetrahedronId> m_Free;
-  /** The edges of each vertex to those of smaller index: short lists, as the exterior is vertex 0. */
+  /** For each vertex, its edges to vertices of smaller index. The lists are short, since the exterior, which has most
+   * edges, is vertex 0. */
   std::vector<std::vector<Edge>> m_Edges;
   std::vector<std::int32_t>      m_NumberOfNeighbors;
   std::size_t                    m_NumberOfEdges = 0;
 };
 
-/** The vertices of triangle i of a positively oriented tetrahedron, counterclockwise seen from outside. */
+/** Returns the vertices of triangle i of a positively oriented tetrahedron, counterclockwise seen from outside. */
 VertexTriple
 TriangleOpposite(const VertexQuadruple & tetrahedron, int i);
 
-/** The same tetrahedron by the even permutation that AdjacencyComplex::GetTetrahedra() promises. */
+/** Returns the same tetrahedron, turned as AdjacencyComplex::GetTetrahedra() promises. */
 VertexQuadruple
 Canonical(const VertexQuadruple & tetrahedron);
 } // namespace tissue

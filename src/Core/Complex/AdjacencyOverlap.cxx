@@ -31,6 +31,8 @@ AdjacencyOverlap
 ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
                         const JunctionSet & image)
 {
+  // Edges and tetrahedra become sets of ascending tuples, so that each counts once; then those are counted that are in
+  // the image by their vertices' ids there.
   const ReferenceAdjacency reference(image);
   const auto               makeUnique = [](auto & tuples) {
     std::sort(tuples.begin(), tuples.end());

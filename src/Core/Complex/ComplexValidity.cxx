@@ -36,7 +36,7 @@ Ascending(T vertices)
 
 using Adjacency = std::map<VertexId, std::set<VertexId>>;
 
-/** Number of connected components. */
+/** Returns the number of connected components, counted by a walk from each vertex that no walk has reached. */
 std::size_t
 CountComponents(const Adjacency & adjacent)
 {
@@ -59,6 +59,8 @@ CountComponents(const Adjacency & adjacent)
   return components;
 }
 
+/** Collects all violations: what each tetrahedron shows by itself is checked first, while triangles, edges and links
+ * are counted; then what the counts show. */
 class Check
 {
 public:
@@ -163,6 +165,7 @@ private:
     }
   }
 
+  /** The records of edges and of numbers of neighbours must agree with the edges that the tetrahedra have. */
   void
   CheckEdges()
   {
@@ -202,8 +205,8 @@ private:
     }
   }
 
-  /** The tetrahedra around an edge are one cycle: no vertex of a link is pinched. Walks through the complex, so
-   * everything else must be in order. */
+  /** The tetrahedra around an edge must be one cycle, so that no vertex of a link is pinched. The check walks through
+   * the complex, so that everything else must be in order. */
   void
   CheckRings()
   {
@@ -216,7 +219,9 @@ private:
     }
   }
 
-  /** A connected closed surface without pinched vertices (CheckRings) is a sphere where V - E + F = 2. */
+  /** The link of a vertex must be a sphere, which a connected closed surface without pinched vertices (CheckRings) is
+   * where its numbers of vertices, edges and triangles give V - E + F = 2. That of the exterior must be as many spheres
+   * as the tissue has parts. */
   void
   CheckLink(VertexId v)
   {
@@ -253,7 +258,7 @@ private:
     }
   }
 
-  /** The links are spheres in each of several pieces, too. */
+  /** The complex must be one piece, which the links do not show: they are spheres in each of several pieces, too. */
   void
   CheckConnected()
   {
@@ -272,7 +277,7 @@ private:
 
   const AdjacencyComplex &               m_Complex;
   std::size_t                            m_NumberOfParts;
-  std::vector<std::vector<VertexTriple>> m_Star; // the link's triangles of each vertex
+  std::vector<std::vector<VertexTriple>> m_Star; // The triangles of each vertex's link.
   std::map<VertexTriple, int>            m_Triangles;
   std::map<VertexPair, std::int32_t>     m_Degrees;
   std::set<VertexQuadruple>              m_Keys;

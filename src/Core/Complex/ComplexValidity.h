@@ -14,12 +14,13 @@
 
 namespace tissue
 {
-/** \brief Everything that is wrong with a complex, each violation as one sentence; empty for a valid one.
+/** \brief Returns everything that is wrong with a complex, each violation as one sentence; nothing for a valid one.
  *
- * Checked from scratch: four different vertices a tetrahedron; neighbours symmetric and across the same triangle, with
- * opposite orientations; no two tetrahedra with the same vertices, every triangle in exactly two; the records of edges
- * and of numbers of neighbours; every vertex present and its link one 2-sphere; the complex one piece. Where parts of
- * the tissue touch in the exterior alone, the exterior's link is one sphere for each of them. */
+ * In a valid complex a tetrahedron has four different vertices, and no other has the same; neighbours are symmetric,
+ * across the same triangle, with opposite orientations; every triangle is in exactly two tetrahedra; the records of
+ * edges and of numbers of neighbours are right; every vertex is there, and its link is one 2-sphere; the complex is one
+ * piece. Where parts of the tissue touch in the exterior alone, the exterior's link is one sphere for each of them. All
+ * of this is checked from scratch. */
 std::vector<std::string>
 FindViolations(const AdjacencyComplex & complex, std::size_t numberOfParts = 1);
 } // namespace tissue

@@ -23,19 +23,20 @@ SortedPair(VertexId u, VertexId v)
   return { { std::min(u, v), std::max(u, v) } };
 }
 
-/** Corners i and k of a polygon of n corners that are joined by a diagonal, not by a side. */
+/** Whether corners i < k of a polygon of n corners are joined by a diagonal, not by a side. */
 bool
 IsDiagonal(int i, int k, int n)
 {
   return k - i > 1 && k - i < n - 1;
 }
 
-/** The ring's projection on the median plane of the edge from u to v, turned so that it is counterclockwise. */
+/** Returns the ring's projection on the median plane of the edge from u to v, turned so that it is counterclockwise. */
 std::vector<std::array<double, 2>>
 ProjectRing(const std::vector<Point> & ring, const Point & u, const Point & v)
 {
   const Point axis = Normalized(v - u);
-  // Any direction not along the axis spans the plane; the smallest component gives a well-conditioned one.
+  // Any direction that is not along the axis spans the plane with its normal. The coordinate axis of the smallest
+  // component is far from the axis, so that the cross product is accurate.
   Point     seed{ { 0.0, 0.0, 0.0 } };
   const int smallest = static_cast<int>(
     std::min_element(axis.begin(), axis.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
@@ -104,6 +105,9 @@ LocalOperations::SwapTriangle(TetrahedronId id, int i) const
   const VertexId     b = m_Complex.GetTetrahedron(neighbor).vertices[m_Complex.MirrorIndex(id, i)];
   const VertexTriple t = TriangleOpposite(tetrahedron.vertices, i);
 
+  // The swap is legal where the edge (a, b) does not exist. For geometric legality the exterior, if it is one of the
+  // five vertices, is placed relative to what lies opposite to it: an edge of the triangle where it is one of the
+  // triangle's corners, else the triangle.
   Proposal proposal;
   if (m_Complex.FindEdge(a, b))
   {
@@ -190,7 +194,8 @@ LocalOperations::RemoveVertex(VertexId vertex) const
   {
     return { Verdict::TooManyNeighbors, {} };
   }
-  // With four neighbours the star is any tetrahedron (vertex, a, b, c) and its three neighbours around the vertex.
+  // With four neighbours the star is any tetrahedron (vertex, a, b, c) and its three neighbours around the vertex,
+  // which all have the fourth neighbour as their apex. The tetrahedron (apex, a, b, c) takes their place.
   Proposal            proposal;
   Replacement &       replacement = proposal.replacement;
   const TetrahedronId first = m_Complex.FindIncidentTetrahedron(vertex);
@@ -210,7 +215,7 @@ LocalOperations::RemoveVertex(VertexId vertex) const
   replacement.removedEdges[static_cast<std::size_t>(at)] = SortedPair(vertex, apex);
   VertexQuadruple created = t.vertices;
   created[at] = apex;
-  // The triangle's other side must not be the same four vertices again.
+  // It must not exist already, which it could on the other side of the triangle (a, b, c) alone.
   const TetrahedronId beyond = t.neighbors[at];
   if (m_Complex.GetTetrahedron(beyond).vertices[m_Complex.MirrorIndex(first, at)] == apex)
   {
@@ -241,6 +246,8 @@ Proposal
 LocalOperations::ReplaceRing(VertexPair edge, const AdjacencyComplex::Ring & ring,
                              const RingTriangulation & triangles) const
 {
+  // Each triangle of the ring becomes two tetrahedra, one with each end of the edge. This is legal where no diagonal
+  // exists already, nor, in a ring of three, which has none, the triangle itself.
   const int n = static_cast<int>(ring.vertices.size());
   if (triangles.empty())
   {
@@ -261,7 +268,8 @@ LocalOperations::ReplaceRing(VertexPair edge, const AdjacencyComplex::Ring & rin
     const VertexId c = ring.vertices[k];
     replacement.created.push_back({ { edge[0], a, b, c } });
     replacement.created.push_back({ { edge[1], a, c, b } });
-    // Every diagonal is the side (i, k) of the one triangle that lies before it, seen from the side (0, n - 1).
+    // Each diagonal is a side of two triangles, but the side (i, k) of only that one whose third corner is between its
+    // ends: so each is met once.
     if (IsDiagonal(i, k, n))
     {
       if (m_Complex.FindEdge(a, c))

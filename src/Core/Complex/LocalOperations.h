@@ -27,7 +27,7 @@ enum class Verdict
   TriangleExists,
   /** The ring has no triangulation that is allowed. */
   NoTriangulation,
-  /** A created tetrahedron would be flat or inverted (geometric legality only). */
+  /** A created tetrahedron would be flat or inverted; for geometric legality only. */
   Inverted,
   /** More tetrahedra are incident to the edge than the limit allows. */
   DegreeAboveLimit,
@@ -37,10 +37,11 @@ enum class Verdict
   TetrahedronExists
 };
 
+/** Returns the verdict in words. */
 const char *
 ToString(Verdict verdict);
 
-/** An operation on one element, with its verdict; the replacement is filled in where it is legal. */
+/** An operation on one element, with its verdict. The replacement is to be used only where the verdict is Legal. */
 struct Proposal
 {
   Verdict     verdict = Verdict::Legal;
@@ -49,14 +50,16 @@ struct Proposal
   explicit operator bool() const { return verdict == Verdict::Legal; }
 };
 
-/** \brief Proposes the local topological operations of the paper (section 3.2) on a complex, changing nothing. */
+/** \brief Proposes the local topological operations of the paper (section 3.2) on a complex, which it does not change.
+ *
+ * Each function lists the verdicts with which it refuses an operation. */
 class LocalOperations
 {
 public:
   /** Both references must outlive this object. `centers` has a position for every vertex, ignored for the exterior. */
   LocalOperations(const AdjacencyComplex & complex, const std::vector<Point> & centers, Legality legality);
 
-  /** Largest degree of an edge that is removed; unlimited by default. */
+  /** Sets the largest degree of an edge that is removed, which is unlimited by default. */
   void
   SetMaximumDegree(std::int32_t degree)
   {
@@ -68,9 +71,9 @@ public:
   Proposal
   SwapTriangle(TetrahedronId id, int i) const;
 
-  /** Edge removal: the n tetrahedra incident to an edge become 2n - 4 over a triangulation of its ring, the Delaunay
-   * triangulation of the ring's projection on the median plane of the edge (paper, section 3.2): where a diagonal of it
-   * exists already, the operation is refused, as in the paper the triangulation is unique.
+  /** Edge removal: the n tetrahedra incident to an edge become 2n - 4 over a triangulation of its ring. It is the
+   * Delaunay triangulation of the ring's projection on the median plane of the edge (paper, section 3.2). The paper
+   * tries no other one, so that the operation is refused where one of its diagonals exists already.
    * Refused: DegreeAboveLimit, NoTriangulation (the projected ring crosses itself), EdgeExists, TriangleExists,
    * Inverted.
    * \throws std::invalid_argument where the two vertices are not adjacent. */
@@ -78,9 +81,9 @@ public:
   RemoveEdge(VertexPair edge) const;
 
   /** Edge removal with the triangulation of least cost among those whose diagonals do not exist yet. `cost(ring, i, j,
-   * k)`, at least 0, is that of the triangle of the ring's vertices i < j < k. Refused: DegreeAboveLimit,
-   * NoTriangulation, TriangleExists, Inverted. \throws std::invalid_argument where the two vertices are not adjacent.
-   */
+   * k)`, at least 0, is the cost of the triangle of the ring's vertices i < j < k.
+   * Refused: DegreeAboveLimit, NoTriangulation, TriangleExists, Inverted.
+   * \throws std::invalid_argument where the two vertices are not adjacent. */
   template <typename TRingCost>
   Proposal
   RemoveEdge(VertexPair edge, const TRingCost & cost) const
@@ -99,26 +102,29 @@ public:
     return ReplaceRing(edge, ring, LeastCostTriangulation(n, costIfFree));
   }
 
-  /** Vertex removal (4-1 flip): the four tetrahedra around a vertex become one. Combinatorial legality alone.
+  /** Vertex removal (4-1 flip): the four tetrahedra around a vertex become one. Only combinatorial legality is judged.
    * Refused: TooManyNeighbors, TetrahedronExists. */
   Proposal
   RemoveVertex(VertexId vertex) const;
 
-  /** Vertex insertion (1-4 flip), the reverse: a tetrahedron becomes four around a vertex that is in none.
-   * Combinatorial legality alone. */
+  /** Vertex insertion (1-4 flip), the reverse: a tetrahedron becomes four around a vertex that is in none. It is always
+   * legal combinatorially, and nothing else is judged. */
   Proposal
   InsertVertex(VertexId vertex, TetrahedronId id) const;
 
 private:
-  /** Of the ring's vertices i < k at [i * n + k]: whether they may be joined. */
+  /** At [i * n + k], for i < k: whether the ring's vertices i and k may be joined. There is room for a ring of 12
+   * before memory must be allocated; larger ones are rare. */
   using FreeDiagonals = boost::container::small_vector<char, 144>;
 
   FreeDiagonals
   FindFreeDiagonals(const AdjacencyComplex::Ring & ring) const;
 
+  /** Proposes the removal of an edge with a given triangulation of its ring. */
   Proposal
   ReplaceRing(VertexPair edge, const AdjacencyComplex::Ring & ring, const RingTriangulation & triangles) const;
 
+  /** Whether all created tetrahedra are positively oriented, with the exterior at the given place. */
   bool
   ArePositive(const Replacement & replacement, const Point & exterior) const;
 

@@ -17,6 +17,9 @@ namespace tissue
 {
 namespace
 {
+/** The number of nearest points over whose distances the local spacing is the mean. Fewer would follow single close
+ * pairs, more would reach beyond the neighbours of a cell (9 in the epidermis and 13 inside in the mean; paper, section
+ * 3.4). */
 constexpr std::size_t NumberOfNearest = 8;
 
 std::vector<std::vector<VertexId>>
@@ -34,7 +37,7 @@ CollectNeighbors(const AdjacencyComplex & complex)
   return neighbors;
 }
 
-/** The next nearest of a Delaunay tetrahedralization is a neighbour of the vertex or of one that is nearer still: a
+/** In a Delaunay tetrahedralization the next nearest vertex is a neighbour of this one or of one that is nearer. So a
  * walk along edges, always to the nearest vertex seen, meets the nearest ones in their order. */
 double
 MeanDistanceOfNearest(VertexId vertex, const std::vector<std::vector<VertexId>> & neighbors,

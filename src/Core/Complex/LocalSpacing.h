@@ -13,18 +13,18 @@
 
 namespace tissue
 {
-/** \brief How far apart points are about each of them: the mean distance of its eight nearest others, or of all where
- * there are fewer.
+/** \brief Returns how far apart points are around each of them: the mean distance to its eight nearest others, or to
+ * all where there are fewer.
  *
- * \param complex their Delaunay tetrahedralization with the exterior, as DelaunayTetrahedralization() makes it. Of
- * another one of the same points, these are the nearest that a walk along its edges meets.
- * \param centers positions of its vertices; the exterior's is ignored.
- * \return a distance a vertex, of the exterior 0. */
+ * \param complex the points' Delaunay tetrahedralization with the exterior, as DelaunayTetrahedralization() makes it.
+ * In another complex of the same points, the nearest ones are those that a walk along its edges meets.
+ * \param centers the positions of its vertices; the exterior's is ignored.
+ * \return one distance for each vertex, which is 0 for the exterior. */
 std::vector<double>
 LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers);
 
-/** Of spacings of vertices, as LocalSpacings() returns them, the median, the upper one of an even number: the
- * exterior's does not count. There must be another. */
+/** Returns the median of the spacings that LocalSpacings() returns, without the exterior's; of an even number the upper
+ * one. There must be at least one other vertex. */
 double
 MedianSpacing(const std::vector<double> & spacings);
 } // namespace tissue

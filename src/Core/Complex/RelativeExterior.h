@@ -21,25 +21,25 @@ namespace tissue
 class RelativeExterior
 {
 public:
-  /** Both must outlive this object; `centers` has a position for every vertex, ignored for the exterior. */
+  /** Both references must outlive this object. `centers` has a position for every vertex, ignored for the exterior. */
   RelativeExterior(const AdjacencyComplex & complex, const std::vector<Point> & centers)
     : m_Complex(complex)
     , m_Centers(centers)
   {}
 
-  /** Outward unit normal of the surface at a vertex; zero where the vertex does not touch the exterior. */
+  /** Returns the outward unit normal of the surface at a vertex; zero where the vertex does not touch the exterior. */
   Point
   Normal(VertexId vertex) const;
 
-  /** For the edge from the exterior to `vertex`: at the mean distance of the edge's ring. */
+  /** Places the exterior for the edge from it to `vertex`: as far from the vertex as the edge's ring is in the mean. */
   Point
   OfExteriorEdge(VertexId vertex) const;
 
-  /** For an edge whose ring holds the exterior: at the edge's length from its middle. */
+  /** Places the exterior for an edge whose ring holds it: at the edge's length from its middle. */
   Point
   OfEdge(VertexId u, VertexId v) const;
 
-  /** For a triangle that has the exterior on one side: at its mean edge length from its barycentre. */
+  /** Places the exterior for a triangle that has it on one side: at its mean edge length from its barycentre. */
   Point
   OfTriangle(const VertexTriple & triangle) const;
 

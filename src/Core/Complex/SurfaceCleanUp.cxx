@@ -55,6 +55,7 @@ private:
     return m_Parameters.maximumEdgeLength * (local.empty() ? 1.0 : 0.5 * (local[u] + local[v]));
   }
 
+  /** Tries every surface triangle once. */
   void
   Pass()
   {
@@ -72,7 +73,9 @@ private:
     }
   }
 
-  /** The surface triangle of tetrahedron `id`, opposite to its vertex `i`, the exterior. */
+  /** Removes the surface triangle of tetrahedron `id`, opposite to its vertex `i`, the exterior, if it is oversized: by
+   * a swap, or, where that is illegal or exposes a cell that is inside in the guide, by the removal of an oversized
+   * edge of degree 3. */
   void
   CleanTriangle(TetrahedronId id, int i)
   {

@@ -18,7 +18,8 @@ namespace tissue
 {
 namespace
 {
-/** Sweeps of averaging for the corners that the image lacks: chains of such corners are short. */
+/** The number of sweeps that average the corners that the image lacks. Chains of such corners are short, so that few
+ * sweeps settle them. */
 constexpr int NumberOfAveragingSweeps = 20;
 
 double
@@ -30,7 +31,8 @@ DistanceToSegment(const Point & p, const Point & a, const Point & b)
   return Distance(p, a + t * edge);
 }
 
-/** Circumcentre of a triangle in its plane; false for a degenerate one. */
+/** Finds the circumcentre of a triangle in its plane; returns false for a degenerate one, which has none. From a
+ * corner, it is (|ab|^2 ac x n + |ac|^2 n x ab) / 2 |n|^2, where n = ab x ac. */
 bool
 Circumcenter(const std::array<Point, 3> & t, Point & center)
 {
@@ -46,6 +48,8 @@ Circumcenter(const std::array<Point, 3> & t, Point & center)
   return true;
 }
 
+/** Finds the circumcentre of a tetrahedron; returns false for a flat one, which has none. From a corner, it is
+ * (|ab|^2 ac x ad + |ac|^2 ad x ab + |ad|^2 ab x ac) / 2 ab . (ac x ad). */
 bool
 Circumcenter(const std::array<Point, 4> & t, Point & center)
 {
@@ -78,13 +82,13 @@ DistanceToTriangle(const Point & p, const std::array<Point, 3> & t)
   return inside ? std::abs(Dot(p - t[0], normal)) : toEdges;
 }
 
-/** The side of a plane through a triangle on which a point lies, as a signed sixfold volume. */
+/** Tells on which side of the plane through a triangle a point lies, by the sign of a sixfold volume. */
 double
 SideOf(const std::array<Point, 3> & t, const Point & p)
 {
   return Dot(p - t[0], Cross(t[1] - t[0], t[2] - t[0]));
 }
-/** The transform g of a canonical tetrahedron, whose first vertex is the exterior where it has it. */
+/** Returns the transform g of a canonical tetrahedron, in which the exterior, if it is there, is the first vertex. */
 Point
 CornerOfCenters(const VertexQuadruple & t, const JunctionSet & junctions)
 {
@@ -95,7 +99,7 @@ CornerOfCenters(const VertexQuadruple & t, const JunctionSet & junctions)
            : ProjectedCircumcenter(std::array<Point, 4>{ { center(t[0]), others[0], others[1], others[2] } });
 }
 
-/** Puts the given corners at the mean of the four corners that a triangle of the complex joins them to. */
+/** Puts each of the missing corners at the mean of the four corners whose tetrahedra are neighbours of its own. */
 void
 AverageNeighbors(const AdjacencyComplex & complex, const std::vector<std::size_t> & missing,
                  std::vector<Point> & corners)
@@ -123,7 +127,8 @@ AverageNeighbors(const AdjacencyComplex & complex, const std::vector<std::size_t
   }
 }
 
-/** Puts every corner at the image's junction of its four cells, and averages those that the image has not. */
+/** Puts every corner at the image's junction of its four cells, and those for which the image has none at the mean of
+ * their neighbours. */
 void
 MoveToJunctions(const AdjacencyComplex & complex, const std::vector<VertexQuadruple> & tetrahedra,
                 const JunctionSet & junctions, std::vector<Point> & corners)
@@ -143,13 +148,15 @@ MoveToJunctions(const AdjacencyComplex & complex, const std::vector<VertexQuadru
   AverageNeighbors(complex, missing, corners);
 }
 
-/** A block of more than four cells is the place of several corners, and so is the middle of an edge that several
- * circumcentres are projected to: moves each of them a little towards the centres of its own cells, so that no edge
- * between them has length 0. */
+/** Moves corners that are at the same place a little towards the centres of their own cells, so that no edge between
+ * them has the length 0. Several corners come to one place in a block of more than four cells, and at the middle of an
+ * edge that several circumcentres are projected to. */
 void
 SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const JunctionSet & junctions,
                    std::vector<Point> & corners)
 {
+  // The share of the way to the mean of the centres that such a corner goes: enough to give the walls an area, and
+  // little enough to leave the corner where the image has it.
   constexpr double         share = 0.05;
   std::map<Point, int>     counts;
   const std::vector<Point> old = corners;
@@ -180,8 +187,8 @@ SeparateCoincident(const std::vector<VertexQuadruple> & tetrahedra, const Juncti
 Point
 ProjectedCircumcenter(const std::array<Point, 3> & t)
 {
-  // The circumcentre is inside exactly where no angle is obtuse; else the closest edge is the one opposite, the
-  // longest.
+  // The circumcentre is inside exactly where no angle is obtuse. Else the closest edge is the one opposite to the
+  // obtuse angle, which is the longest.
   int    longest = 0;
   double squared[3];
   for (int i = 0; i < 3; ++i)

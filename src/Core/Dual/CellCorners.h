@@ -15,20 +15,23 @@
 
 namespace tissue
 {
-/** The transform g of the paper (section 4.2) for a tetrahedron: the circumcentre; where that lies outside, the
- * circumcentre of the closest triangle; where that lies outside the triangle, the middle of the closest edge. Inside
- * the tetrahedron, or on it, always. The barycentre for a flat tetrahedron, which has no circumcentre. */
+/** Returns the transform g of the paper (section 4.2) for a tetrahedron: the circumcentre; where that lies outside, the
+ * circumcentre of the closest triangle; where that lies outside the triangle, the middle of its closest edge. The
+ * result always lies inside the tetrahedron or on it. For a flat one, which has no circumcentre, it is the barycentre.
+ */
 Point
 ProjectedCircumcenter(const std::array<Point, 4> & tetrahedron);
 
-/** Likewise for a triangle, which stands for a tetrahedron with the exterior (section 4.2). */
+/** Returns the transform g for a triangle, which stands for a tetrahedron with the exterior (paper, section 4.2): the
+ * circumcentre, or, where that lies outside, the middle of the closest edge. */
 Point
 ProjectedCircumcenter(const std::array<Point, 3> & triangle);
 
-/** \brief The position of the cell corner dual to each tetrahedron, in the order of AdjacencyComplex::GetTetrahedra().
+/** \brief Returns the position of the cell corner that is dual to each tetrahedron, in the order of
+ * AdjacencyComplex::GetTetrahedra().
  *
- * Corners that fall on the same place are moved apart, by a twentieth of the way to the mean of their cells' centres.
- * `junctions` gives the centres of the cells and, for CornerRule::ImageJunction, the junctions. */
+ * Corners that fall on the same place are moved apart, each by a twentieth of the way to the mean of its cells'
+ * centres. `junctions` gives the centres of the cells and, for CornerRule::ImageJunction, the junctions. */
 std::vector<Point>
 ComputeCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, CornerRule rule);
 } // namespace tissue

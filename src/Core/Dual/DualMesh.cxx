@@ -38,7 +38,7 @@ Dualize(const AdjacencyComplex & complex, std::vector<Point> corners)
     {
       wall.corners.push_back(cornerOf[id]);
     }
-    // The same start for equal complexes, whatever their history.
+    // The smallest corner comes first, so that equal complexes give equal walls whatever their history.
     std::rotate(wall.corners.begin(), std::min_element(wall.corners.begin(), wall.corners.end()), wall.corners.end());
     dual.walls.push_back(std::move(wall));
   }

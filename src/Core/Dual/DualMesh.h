@@ -14,30 +14,30 @@
 
 namespace tissue
 {
-/** \brief The dual of an adjacency complex (paper, section 4.2): a corner for each tetrahedron, a polygonal wall for
- * each edge. Polygons need not be plane. */
+/** \brief The dual of an adjacency complex (paper, section 4.2): a corner for each tetrahedron and a polygonal wall for
+ * each edge. The polygons need not be plane. */
 struct DualMesh
 {
   struct Wall
   {
-    /** As in WallMesh: the smaller label first, the exterior second. */
+    /** The two cells, as in WallMesh: the smaller label first, and the exterior always second. */
     VertexPair cells = { { 0, 0 } };
-    /** Corner indices, counterclockwise seen from the second cell; at least 3. */
+    /** The indices of the corners, at least three, counterclockwise seen from the second cell. */
     std::vector<PointId> corners;
   };
 
   std::vector<Point> corners;
-  /** Ascending by the smaller, then by the larger vertex. */
+  /** The walls, ascending by the smaller, then by the larger vertex of each. */
   std::vector<Wall> walls;
 };
 
-/** `corners` are in the order of AdjacencyComplex::GetTetrahedra(). */
+/** Returns the dual of a complex. The corners are given in the order of AdjacencyComplex::GetTetrahedra(). */
 DualMesh
 Dualize(const AdjacencyComplex & complex, std::vector<Point> corners);
 
-/** \brief Triangles for the polygons: each wall is a star around a new point at the mean of its corners (section 4.2).
+/** \brief Divides each wall into triangles around a new point at the mean of its corners (paper, section 4.2): a star.
  *
- * Points: the corners first, in their order, then the walls' centres, in theirs. */
+ * The points of the mesh are the corners, in their order, and then the walls' centres, in that of the walls. */
 WallMesh
 TriangulateAsStars(const DualMesh & dual);
 } // namespace tissue

@@ -14,11 +14,14 @@ namespace tissue
 {
 namespace
 {
-/** The depths of the vertices at the exterior, of others 0. */
+/** Returns the depths of the vertices at the exterior, and 0 for all others. For each vertex the lengths of its edges
+ * are collected, and the heights of its centre above the neighbours below it; half the median of the heights, or of the
+ * lengths where no neighbour is below, is its depth. */
 std::vector<double>
 EstimateDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
 {
-  // A neighbour is below where the line to it is so steep, as a cosine.
+  // The cosine of the angle between a vertex's normal and the line from a neighbour, 73 degrees, up to which it is
+  // below. Those of the same layer are not, since the line from them is nearly level even where the surface is bent.
   constexpr double steepest = 0.3;
 
   std::vector<std::vector<double>> heights(centers.size());

@@ -27,7 +27,8 @@ ConvexHullVolume(const std::vector<Point> & points)
   }
   Mesh hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull);
-  // CGAL keeps facets by their addresses, so that each run has them in another order: exact numbers have one sum.
+  // The volume is the sum over the facets of the tetrahedra from the origin. CGAL keeps facets by their addresses, so
+  // that each run has them in another order: exact numbers have the same sum in any.
   using Number = CGAL::MP_Float;
   Number sixfoldVolume = 0;
   for (const Mesh::Face_index face : hull.faces())

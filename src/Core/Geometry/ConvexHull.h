@@ -13,7 +13,8 @@
 
 namespace tissue
 {
-/** Volume of the convex hull of the points, by CGAL, exact but for its last rounding; 0 where they are in one plane. */
+/** Returns the volume of the points' convex hull, by CGAL, exact except for its last rounding; 0 where all points are
+ * in one plane. */
 double
 ConvexHullVolume(const std::vector<Point> & points);
 } // namespace tissue

@@ -26,7 +26,7 @@ ToKernel(const Point & p)
   return { p[0], p[1], p[2] };
 }
 
-/** What the triangle covers. */
+/** Returns what the triangle covers, which is a segment or a point where its corners are on one line. */
 Hull
 ToHull(const std::array<Point, 3> & triangle)
 {
@@ -35,7 +35,7 @@ ToHull(const std::array<Point, 3> & triangle)
   {
     return Kernel::Triangle_3(p[0], p[1], p[2]);
   }
-  std::sort(p.begin(), p.end()); // along their line
+  std::sort(p.begin(), p.end()); // This is their order along their line.
   return p[0] == p[2] ? Hull(p[0]) : Hull(Kernel::Segment_3(p[0], p[2]));
 }
 } // namespace
@@ -64,7 +64,7 @@ AreOnOneSide(const Point & a, const Point & b, const Point & c, const Point & d)
 bool
 AreCoplanar(const std::vector<Point> & points)
 {
-  // Points are added to a basis as long as they are outside of what it spans.
+  // Each point outside of what the basis spans, a point, a line or a plane, is added to it; a fourth one settles it.
   std::vector<KernelPoint> basis;
   for (const Point & point : points)
   {

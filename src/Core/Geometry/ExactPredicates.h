@@ -13,22 +13,22 @@
 
 namespace tissue
 {
-/** Sign of the signed volume of the tetrahedron (a, b, c, d), that is of det(b - a, c - a, d - a): +1, 0 where the four
- * points are coplanar, or -1. Exact for every finite input (CGAL's filtered predicate). */
+/** Returns the sign of the signed volume of the tetrahedron (a, b, c, d), that is of det(b - a, c - a, d - a): +1, -1,
+ * or 0 where the four points are coplanar. It is exact for every finite input (CGAL's filtered predicate). */
 int
 Orientation(const Point & a, const Point & b, const Point & c, const Point & d);
 
-/** Whether two triangles, their edges and corners counted, have a point in common. Points of a triangle may be equal or
- * on one line: it is the segment or the point that it covers. Exact (CGAL's predicates). */
+/** Whether two triangles, with their edges and corners, have a point in common. A triangle whose points are equal or on
+ * one line is the point or the segment that it covers. The answer is exact (CGAL's predicates). */
 bool
 TrianglesMeet(const std::array<Point, 3> & s, const std::array<Point, 3> & t);
 
-/** Whether c and d are on the same side of the line through a and b, all four coplanar; false where one of them is on
- * the line. Exact. */
+/** Whether c and d are on the same side of the line through a and b; all four must be coplanar. It is false where one
+ * of them is on the line. The answer is exact. */
 bool
 AreOnOneSide(const Point & a, const Point & b, const Point & c, const Point & d);
 
-/** Whether a plane holds all points; true for fewer than four. Exact. */
+/** Whether a plane holds all points, as it does for fewer than four. The answer is exact. */
 bool
 AreCoplanar(const std::vector<Point> & points);
 } // namespace tissue

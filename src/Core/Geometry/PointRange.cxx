@@ -15,6 +15,8 @@ namespace tissue
 {
 namespace
 {
+/** The bounds for the size of coordinates and for the points' extent, in the units of the points. They are wide enough
+ * for every unit of length, and the squares of volumes, 1e180 and 1e-180, are doubles of full precision still. */
 constexpr double LargestCoordinate = 1e30;
 constexpr double LeastExtent = 1e-30;
 } // namespace

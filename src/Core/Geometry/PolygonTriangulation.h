@@ -15,24 +15,29 @@
 
 namespace tissue
 {
-/** Triangles of a polygon's triangulation, by the indices of its corners, each ascending: n - 2 of them. */
+/** The n - 2 triangles of a triangulation of a polygon of n corners, each by the indices of its corners, ascending.
+ * There is room for a polygon of 12 before memory must be allocated, here and in the tables below; more are rare. */
 using RingTriangulation = boost::container::small_vector<std::array<int, 3>, 10>;
 
-/** \brief The triangulation of a polygon of n >= 3 corners that has the least sum of costs, by dynamic programming.
+/** \brief Returns the triangulation of a polygon of n >= 3 corners that has the least sum of costs.
  *
- * O(n^3) time, O(n^2) memory. Of equal sums the one with the smaller splitting corner wins, so the result is unique.
- * Empty where every triangulation has an infinite cost.
+ * It is found by dynamic programming, in a time of O(n^3) and a memory of O(n^2). Of equal sums the one with the
+ * smaller splitting corner wins, so that the result is unique. It is empty where every triangulation has an infinite
+ * cost.
  *
- * `cost(i, j, k)` is that of the triangle of the polygon's corners i < j < k: at least 0, infinite where the triangle
- * is not allowed. A template, as the optimization spends most of its time here. */
+ * `cost(i, j, k)` is the cost of the triangle of the polygon's corners i < j < k: at least 0, and infinite where the
+ * triangle is not allowed. This is a template because the optimization spends most of its time here. */
 template <typename TCost>
 RingTriangulation
 LeastCostTriangulation(int n, const TCost & cost)
 {
+  // The polygon of the corners i ... k has one triangle (i, j, k) on its side (i, k), which leaves the polygons i ... j
+  // and j ... k: least(i, k) = min over j of least(i, j) + least(j, k) + cost(i, j, k). Short polygons come before long
+  // ones, and no cost is asked for where the parts alone are too much. The best j then lead from the whole down.
   constexpr double                            infinite = std::numeric_limits<double>::infinity();
   const auto                                  at = [n](int i, int k) { return static_cast<std::size_t>(i * n + k); };
-  boost::container::small_vector<double, 144> least(at(n, 0), 0.0); // of the polygon i, i + 1, ..., k
-  boost::container::small_vector<int, 144> split(at(n, 0), -1); // the third corner of its triangle on the edge (i, k)
+  boost::container::small_vector<double, 144> least(at(n, 0), 0.0);
+  boost::container::small_vector<int, 144> split(at(n, 0), -1); // The third corner of its triangle on the side (i, k).
   for (int length = 2; length < n; ++length)
   {
     for (int i = 0; i + length < n; ++i)
@@ -77,12 +82,12 @@ LeastCostTriangulation(int n, const TCost & cost)
   return triangles;
 }
 
-/** \brief The cost under which the least-cost triangulation of a plane polygon is its (constrained) Delaunay
+/** \brief Returns the cost under which the least-cost triangulation of a plane polygon is its (constrained) Delaunay
  * triangulation.
  *
- * (a^2 + b^2 + c^2) / area of a counterclockwise triangle of edges a, b, c: every flip towards Delaunay lowers the sum
- * (O. R. Musin, Properties of the Delaunay triangulation, Symposium on Computational Geometry 1997,
- * doi:10.1145/262839.263061). Infinite for a triangle that is not counterclockwise. */
+ * It is (a^2 + b^2 + c^2) / area for a counterclockwise triangle of edges a, b, c, and infinite for any other. Every
+ * flip towards Delaunay lowers the sum (O. R. Musin, Properties of the Delaunay triangulation, Symposium on
+ * Computational Geometry 1997, doi:10.1145/262839.263061). */
 double
 DelaunayCost(const std::array<double, 2> & a, const std::array<double, 2> & b, const std::array<double, 2> & c);
 } // namespace tissue

@@ -19,7 +19,8 @@ namespace tissue
 {
 namespace
 {
-/** The point farthest from the origin by what is left of it; {0, 0, 0} of none. */
+/** Returns what rest(point) leaves of that point of which it leaves the longest vector; {0, 0, 0} where it leaves
+ * nothing of any point. */
 template <typename TRest>
 Point
 FindFarthest(const std::vector<Point> & points, const TRest & rest)
@@ -39,7 +40,9 @@ FindFarthest(const std::vector<Point> & points, const TRest & rest)
   return farthest;
 }
 
-/** The points in axes that turn with them: their mean, the one farthest from it, the one farthest from that line. */
+/** Returns the points in axes that turn and mirror with them. The origin is their mean, the first axis goes through the
+ * point farthest from it, the second towards the point farthest from the first, and the third, across both, to that
+ * side on which a point is farthest from their plane. */
 std::vector<Point>
 InOwnFrame(std::vector<Point> points)
 {
@@ -56,7 +59,7 @@ InOwnFrame(std::vector<Point> points)
   const Point u = Normalized(FindFarthest(points, [](const Point & p) { return p; }));
   const Point v = Normalized(FindFarthest(points, [&u](const Point & p) { return p - Dot(p, u) * u; }));
   const Point across = Cross(u, v);
-  // Of a mirror image, too.
+  // The cross product alone would make the axes of a mirror image no mirror image of the axes.
   const Point w = Normalized(FindFarthest(points, [&across](const Point & p) { return Dot(p, across) * across; }));
   for (Point & point : points)
   {
@@ -74,7 +77,7 @@ SpatialOrder(const std::vector<Point> & centers)
   {
     return std::vector<VertexId>(centers.size(), ExteriorVertex);
   }
-  std::vector<Kernel::Point_3> points{ Kernel::Point_3(0.0, 0.0, 0.0) }; // the exterior is nowhere
+  std::vector<Kernel::Point_3> points{ Kernel::Point_3(0.0, 0.0, 0.0) }; // It stands for the exterior.
   points.reserve(centers.size());
   for (const Point & p : InOwnFrame({ centers.begin() + 1, centers.end() }))
   {

@@ -13,13 +13,13 @@
 
 namespace tissue
 {
-/** The vertices along a Hilbert curve through their centres, the exterior first whatever its centre: numbered so, what
- * is near in the tissue is near in memory. Depends on the centres alone, but for the order of those that coincide, and
- * stays the same where they are turned, mirrored, shifted or scaled together. */
+/** Returns the vertices in their order along a Hilbert curve through their centres, the exterior first whatever its
+ * centre. Numbered so, what is near in the tissue is near in memory. The order depends on the centres alone, except
+ * among those that coincide, and stays the same where they are turned, mirrored, shifted or scaled together. */
 std::vector<VertexId>
 SpatialOrder(const std::vector<Point> & centers);
 
-/** Of each vertex its index in an order of them. */
+/** Returns the index of each vertex in an order of them. */
 std::vector<VertexId>
 RanksInOrder(const std::vector<VertexId> & order);
 } // namespace tissue

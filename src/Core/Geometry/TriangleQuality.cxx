@@ -33,6 +33,8 @@ TriangleQuality(const Point & a, const Point & b, const Point & c)
 Point
 TriangleDistortionGradient(const Point & a, const Point & b, const Point & c)
 {
+  // With s the sum of squares and n the normal, the distortion is s^2 / (12 n^2), and its gradient is
+  // s / (6 n^2) grad s - s^2 / (12 n^4) grad n^2.
   const double squares = SumOfSquares(a, b, c);
   const Point  normal = Cross(b - a, c - a);
   const double area = Dot(normal, normal);

@@ -15,7 +15,7 @@
 
 namespace tissue
 {
-/** Temperatures of a number of rounds that fall geometrically from the first to the last. */
+/** Temperatures that fall geometrically from the first to the last of a number of rounds. */
 struct Cooling
 {
   double first;
@@ -30,7 +30,8 @@ struct Cooling
   }
 };
 
-/** \brief A complex under annealing, with what every schedule needs: the operations, the energy, chance. */
+/** \brief A complex under annealing, with what every schedule needs: the operations on it, its energy, and random
+ * numbers. */
 struct AnnealingState
 {
   AdjacencyComplex & complex;
@@ -71,24 +72,25 @@ struct AnnealingState
     return isAccepted;
   }
 
-  /** The vertex on the other side of triangle i of a tetrahedron. */
+  /** Returns the vertex on the other side of triangle i of a tetrahedron. */
   VertexId
   VertexBehind(TetrahedronId id, int i) const
   {
     return complex.GetTetrahedron(complex.GetTetrahedron(id).neighbors[i]).vertices[complex.MirrorIndex(id, i)];
   }
 
-  /** Those of the tetrahedra that are not in the reference, or have less than four fifths of its votes, and their
-   * neighbours; ascending. */
+  /** Returns those of the tetrahedra that are not in the reference, or have less than four fifths of its votes, and
+   * their neighbours, ascending. */
   std::vector<TetrahedronId>
   WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra) const;
 
-  /** Edge removal with the ring's triangulation that makes most quadruples of the reference, or with most votes. */
+  /** Proposes the removal of an edge with that triangulation of its ring that makes most quadruples of the reference,
+   * or those with most votes. */
   Proposal
   RemoveEdgeByReference(VertexPair edge) const;
 
-  /** A random operation at a tetrahedron: a triangle swap, or an edge removal up to a degree, the ring triangulated by
-   * the reference or at random. */
+  /** Proposes a random operation at a tetrahedron: a triangle swap, or the removal of an edge up to a degree, with its
+   * ring triangulated by the reference or at random. */
   Proposal
   ProposeAt(TetrahedronId id, std::int32_t maximumDegree);
 };

@@ -25,11 +25,13 @@ struct Shape
   double maximalAngle;
 };
 
+/** Measures the tetrahedron of four points. The dihedral angle between two of its triangles is what the angle between
+ * their outward normals leaves of 180 degrees. */
 Shape
 MeasureShape(const std::array<Point, 4> & p)
 {
   constexpr double     degrees = 180.0 / 3.14159265358979323846;
-  std::array<Point, 4> normals; // outward, of the triangles opposite to each vertex, as long as twice their areas
+  std::array<Point, 4> normals; // The outward unit normal of the triangle opposite to each vertex.
   double               area = 0.0;
   for (int i = 0; i < 4; ++i)
   {
@@ -67,6 +69,7 @@ ComputeStatistics(const AdjacencyComplex & complex, const std::vector<Point> & c
     statistics.adjacency2 = overlap.adjacency2;
     statistics.adjacency4 = overlap.adjacency4;
   }
+  // Shapes are summed over the tetrahedra of cells and made means, and so are the deviations over the cells.
   for (const VertexQuadruple & t : complex.GetTetrahedra())
   {
     if (t[0] == ExteriorVertex)

@@ -15,8 +15,9 @@ namespace tissue
 {
 namespace
 {
-/** sum |e|^2 / 20 of the regular tetrahedron that adds 0, in squared spacings: its edges are sqrt(1.5) spacings. At .40
- * and .50 the paper's preset for points gains half as much on the cleaned complex, and loses on some tissues. */
+/** The error a volume, sum |e|^2 / 20, of the tetrahedra that add 0 to the deviation, in squared spacings. The regular
+ * one of them has edges of sqrt(1.5) spacings. At 0.40 and 0.50 the paper's preset for points gains half as much on the
+ * cleaned complex, and loses on some tissues. */
 constexpr double NeutralError = 0.45;
 } // namespace
 

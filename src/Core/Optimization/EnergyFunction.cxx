@@ -41,6 +41,7 @@ EnergyFunction::EnergyFunction(const AdjacencyComplex & complex, const std::vect
 void
 EnergyFunction::Recompute()
 {
+  // Every term of the energy is a function of sums over tetrahedra, edges and cells.
   m_Sums = Sums();
   for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
   {
@@ -149,6 +150,7 @@ EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums 
 EnergyFunction::Sums
 EnergyFunction::SumsAfter(const Replacement & replacement) const
 {
+  // The sums over tetrahedra and edges change by those that go and come.
   Sums sums = m_Sums;
   for (const TetrahedronId id : replacement.removed)
   {
@@ -170,7 +172,9 @@ EnergyFunction::SumsAfter(const Replacement & replacement) const
   {
     return sums;
   }
-  // The few vertices whose number of neighbours changes, each with its change.
+  // The sum of the prior runs over cells, (n - N)^2 each. It changes at the ends of the edges that go and come, by n
+  // and, where such an edge leads to the exterior, by N as well. Each vertex is collected with its whole change first,
+  // since the square of a sum is not the sum of squares. Room for 16 of them is enough for an edge of degree 14.
   struct Change
   {
     VertexId     vertex;

@@ -22,39 +22,42 @@ namespace tissue
  *
  * E = - w_adjacency |T & S| / |T | S| - w_pair |E_T & E_S| / |E_T | E_S| + w_neighbor mean over cells of (n - N)^2
  *     + w_length mean over tetrahedra of the longest edge + w_Delaunay sum of deviations a cell,
- * where a cell's ideal number N is epidermalNeighbors + 1 where it touches the exterior, which is counted in n. A
- * tetrahedron with the exterior, which has no position, has the longest edge of its triangle of cells.
+ * where T and E_T are the tetrahedra and the edges of the complex, S and E_S the quadruples and the pairs of the
+ * reference, and n is the number of a cell's neighbours. Its ideal number N is innerNeighbors; for a cell that touches
+ * the exterior, which counts as a neighbour, it is epidermalNeighbors + 1. The longest edge of a tetrahedron with the
+ * exterior, which has no position, is that of its triangle of cells.
  *
- * Where the reference has votes, (sum over T of (share of the votes - leastVote)) / |S| is in the place of
+ * Where the reference has votes, (sum over T of (share of the votes - leastVote)) / |S| takes the place of
  * |T & S| / |T | S|: what is sure counts for more than what is just likely.
  *
- * Difference() takes time in the size of the replacement alone. */
+ * All terms are functions of sums over the elements of the complex, which are kept. So Difference() takes a time that
+ * grows with the size of the replacement alone. */
 class EnergyFunction
 {
 public:
-  /** All references must outlive this object; `reference` may be null. */
+  /** All references must outlive this object. `reference` may be null. */
   EnergyFunction(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
 
-  /** Takes the complex as it is, after a change that Update() was not told of. Spacings stay those at the start. */
+  /** Takes the complex as it is, after a change that Update() was not told of. Spacings stay those of the start. */
   void
   Recompute();
 
-  /** The energy of the complex as this object knows it. */
+  /** Returns the energy of the complex as this object knows it. */
   double
   Total() const
   {
     return Evaluate(m_Sums);
   }
 
-  /** Total() after the replacement less Total() before it, without carrying it out. */
+  /** Returns what Total() would be after the replacement, less what it is; the replacement is not carried out. */
   double
   Difference(const Replacement & replacement) const
   {
     return Evaluate(SumsAfter(replacement)) - Total();
   }
 
-  /** To be called before AdjacencyComplex::Apply() with the same replacement. */
+  /** Follows a replacement. It must be called before AdjacencyComplex::Apply() with the same one. */
   void
   Update(const Replacement & replacement)
   {
@@ -67,7 +70,7 @@ public:
     return m_Reference;
   }
 
-  /** Tetrahedra that are in the reference. */
+  /** Returns the number of tetrahedra that are in the reference. */
   std::int64_t
   NumberOfHits() const
   {
@@ -75,6 +78,7 @@ public:
   }
 
 private:
+  /** The sums over the elements of the complex of which the energy is a function. */
   struct Sums
   {
     std::int64_t hits = 0;
@@ -87,25 +91,30 @@ private:
     double       votes = 0.0;
   };
 
+  /** Returns the energy for some sums. */
   double
   Evaluate(const Sums & sums) const;
 
+  /** Returns |T & S| / |T | S|, or what takes its place with votes. */
   double
   QuadrupleTerm(const Sums & sums) const;
 
+  /** Returns the sums after a replacement that has not been carried out yet. */
   Sums
   SumsAfter(const Replacement & replacement) const;
 
+  /** Adds an edge to the sums with sign +1, and takes it away with sign -1. */
   void
   AddEdge(VertexPair edge, int sign, Sums & sums) const;
 
+  /** Adds a tetrahedron to the sums with sign +1, and takes it away with sign -1. */
   void
   AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums & sums) const;
 
   double
   LongestEdge(const VertexQuadruple & vertices) const;
 
-  /** Squared deviation from the ideal number of neighbours. */
+  /** Returns the squared deviation from the ideal number of neighbours. */
   double
   NeighborDeviation(std::int32_t numberOfNeighbors, bool touchesExterior) const;
 
@@ -113,7 +122,7 @@ private:
   const std::vector<Point> & m_Centers;
   const ReferenceAdjacency * m_Reference;
   EnergyParameters           m_Parameters;
-  /** Where it has a weight. */
+  /** The deviation from Delaunay; it is there only if it has a weight. */
   std::optional<DelaunayDeviation> m_DelaunayDeviation;
   Sums                             m_Sums;
 };

@@ -10,8 +10,10 @@ namespace tissue
 {
 namespace
 {
-/** A complex whose energy, below 0, is above this share of the best one's has melted: where a start is wrong nearly
- * everywhere, a high temperature has nothing to hold on to, and the next round would start from chaos. */
+/** A share of the best energy so far, which is below 0: a complex that has kept less of it has melted, and goes back to
+ * the best one. Where a start is wrong nearly everywhere, a high temperature has nothing to hold on to, and the next
+ * round would start from chaos. A share near 1 would undo what annealing is for, that the energy may rise for a while;
+ * a share near 0 would let the complex melt. */
 constexpr double MeltedShare = 0.8;
 
 std::vector<TetrahedronId>

@@ -16,13 +16,12 @@ namespace tissue
 
 /** \brief Anneals a complex where it disagrees with its reference.
  *
- * The complex is right nearly everywhere after the ranked cycles; the chance to leave a local minimum is worth spending
- * only around what is wrong. Each round lists the tetrahedra that are not in the reference, or have
- * less than four fifths of its votes, and their neighbours, and
- * proposes random edge removals and triangle swaps at them, by the Metropolis rule. The best state seen at the end of a
- * round is kept.
+ * The complex is right nearly everywhere after the ranked cycles, so that the chance to leave a local minimum is worth
+ * spending only around what is wrong. Each round lists the tetrahedra that are not in the reference, or have less than
+ * four fifths of its votes, and their neighbours. It proposes random edge removals and triangle swaps at them, which
+ * the Metropolis rule accepts or not. The best state seen at the end of a round is kept.
  *
- * Requires a reference. `oneQuadruple` is the energy that temperatures are measured in. */
+ * There must be a reference. `oneQuadruple` is the energy that temperatures are measured in. */
 void
 AnnealWhereWrong(AnnealingState & state, const FocusedAnnealingParameters & parameters, double oneQuadruple,
                  const Execution & execution = Execution());

@@ -13,8 +13,9 @@
 
 namespace tissue
 {
-/** An operation with its energy difference when the phase was ranked. Of a removal, `vertices` is the edge; of a swap,
- * the tetrahedron, with the vertices on both sides of the triangle to recognize it by. */
+/** An operation with its energy difference when the phase was ranked. For a removal, `vertices` holds the edge. For a
+ * swap it holds the tetrahedron's vertices: they and the vertex behind the triangle tell whether it is still the same.
+ */
 struct TopologyOptimizer::Candidate
 {
   double          difference;
@@ -26,10 +27,13 @@ struct TopologyOptimizer::Candidate
 
 namespace
 {
-/** Differences above this many temperatures have a probability below 1e-17: never tried. */
+/** The energy difference, in temperatures, above which an operation is not even ranked: it would be accepted with a
+ * probability of exp(-40), below 1e-17. */
 constexpr double HopelessTemperatures = 40.0;
 
-/** Where there are votes, most tetrahedra are in doubt: many need a little, and no energy is known to be below 0. */
+/** Returns the schedule of focused annealing for a reference with votes. There most tetrahedra are in doubt, so that
+ * the lists are long, and each tetrahedron gets few proposals in few rounds. The energy of a good complex is not known
+ * to be below 0, so that no share of it can tell a melted one. */
 FocusedAnnealingParameters
 VoteAnnealing()
 {
@@ -45,7 +49,7 @@ template <typename TCandidates>
 void
 Rank(TCandidates & candidates)
 {
-  // Candidates come in a deterministic order, which a stable sort keeps among equals.
+  // The candidates come in the same order in every run, and a stable sort keeps it among equals.
   std::stable_sort(
     candidates.begin(), candidates.end(), [](const auto & a, const auto & b) { return a.difference < b.difference; });
 }
@@ -79,7 +83,7 @@ TopologyOptimizer::TopologyOptimizer(AdjacencyComplex & complex, const std::vect
 double
 TopologyOptimizer::OneElement() const
 {
-  // With votes one tetrahedron for another changes the energy by so much of one that all votes are for.
+  // A share of the votes: by so much those of a tetrahedron and of the one that takes its place are taken to differ.
   constexpr double                 changeOfVotes = 0.2;
   const ReferenceAdjacency * const reference = m_State.energy.GetReference();
   if (!reference || m_EnergyParameters.adjacencyWeight == 0.0)
@@ -106,7 +110,7 @@ TopologyOptimizer::Run(const Execution & execution)
     AnnealWhereWrong(m_State, m_Annealing.focus, OneElement(), execution.Part(0.4, 0.6));
     m_NumberOfRelocatedVertices =
       RelocateVertices(m_State, m_Annealing.relocation, OneElement(), execution.Part(0.6, 0.8));
-    // Once more and milder: a vertex at its place may have opened the way for others.
+    // All this is done a second time, and milder: a vertex that came to its place may have opened the way for others.
     FocusedAnnealingParameters milder = m_Annealing.focus;
     milder.initialTemperature *= 0.5;
     milder.numberOfRounds /= 2;
@@ -186,12 +190,14 @@ TopologyOptimizer::RemoveEdges(double temperature)
 std::size_t
 TopologyOptimizer::SwapTriangles(double temperature)
 {
+  // The phase ranks the legal swaps by their differences now; then it proposes each anew in that order, as far as its
+  // triangle has not changed.
   std::vector<Candidate> candidates;
   for (TetrahedronId id = 0; id < m_State.complex.TetrahedronIdBound(); ++id)
   {
     for (int i = 0; m_State.complex.IsAlive(id) && i < 4; ++i)
     {
-      // Each triangle from one of its sides.
+      // Each triangle is taken from one of its sides only.
       if (m_State.complex.GetTetrahedron(id).neighbors[i] < id)
       {
         continue;

@@ -17,32 +17,33 @@ namespace tissue
 /** \brief Minimizes the energy of a complex by simulated annealing (paper, section 3.4).
  *
  * Each temperature cycle has two phases, edge removals and triangle swaps. In a phase the legal operations are ranked
- * by their energy difference, ascending, and carried out in that order where they are still legal, at their difference
- * at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
+ * by their energy difference, ascending. In that order each is carried out if it is still legal and is accepted at its
+ * difference at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
  *
  * The complex ends in the state of least energy seen at the end of a cycle or round, or at the start. The same input,
  * parameters and seed give the same result. */
 class TopologyOptimizer
 {
 public:
-  /** References must outlive this object; `reference` may be null.
+  /** All references must outlive this object. `reference` may be null.
    * \throws std::invalid_argument where a parameter is out of its range. */
   TopologyOptimizer(AdjacencyComplex & complex, const std::vector<Point> & centers,
                     const ReferenceAdjacency * reference, const EnergyParameters & energy,
                     const AnnealingParameters & annealing);
 
-  /** \throws Aborted where `execution` asks to stop; the complex is then valid, but not yet optimal. */
+  /** Runs all cycles and, if asked for, the focused annealing; returns what happened in each cycle.
+   * \throws Aborted where `execution` asks to stop; the complex is then valid, but not yet optimal. */
   std::vector<AnnealingCycle>
   Run(const Execution & execution = Execution());
 
-  /** Of the last Run(). */
+  /** Returns how often the last Run() moved a vertex to a better place. */
   std::size_t
   NumberOfRelocatedVertices() const
   {
     return m_NumberOfRelocatedVertices;
   }
 
-  /** The energy of the complex. */
+  /** Returns the energy of the complex. */
   double
   Energy() const
   {
@@ -58,13 +59,15 @@ private:
   Proposal
   ProposeRemoval(VertexPair edge) const;
 
+  /** Does one phase at a temperature and returns the number of edges that it removed. */
   std::size_t
   RemoveEdges(double temperature);
 
+  /** Does one phase at a temperature and returns the number of triangles that it swapped. */
   std::size_t
   SwapTriangles(double temperature);
 
-  /** The unit of temperatures. */
+  /** Returns the energy that temperatures are measured in: about what one element more or less changes. */
   double
   OneElement() const;
 

@@ -15,7 +15,7 @@ namespace tissue
 {
 namespace
 {
-/** The replacements since the start of an attempt, to undo it from. */
+/** The replacements since the start of an attempt, by whose inverses it can be undone. */
 class Journal
 {
 public:
@@ -30,7 +30,7 @@ public:
     m_Inverses.push_back(m_State.Do(replacement));
   }
 
-  /** As AnnealingState::Try(), remembering where the energy was least. */
+  /** Does the same as AnnealingState::Try(), and remembers where the energy was least. */
   void
   Try(const Proposal & proposal, double temperature)
   {
@@ -63,7 +63,7 @@ public:
     return m_Inverses.size();
   }
 
-  /** Number of replacements up to the state of least energy; 0: the start. */
+  /** Returns the number of replacements up to the state of least energy, which is 0 if that was the start. */
   std::size_t
   Best() const
   {
@@ -76,6 +76,7 @@ private:
   double                   m_BestEnergy;
   std::size_t              m_Best = 0;
 };
+/** Takes one vertex at a time out of the complex, and puts it in at a better place if it finds one. */
 class Relocation
 {
 public:
@@ -85,7 +86,8 @@ public:
     , m_OneQuadruple(oneQuadruple)
   {}
 
-  /** `imageNeighbors`: the cells that meet the vertex's in the image, without the exterior. */
+  /** Returns whether the vertex found a place at which the energy is less than before; if not, the complex is as it
+   * was. `imageNeighbors` are the cells that meet the vertex's cell in the image, without the exterior. */
   bool
   Relocate(VertexId vertex, const std::vector<VertexId> & imageNeighbors)
   {
@@ -145,7 +147,7 @@ private:
     return static_cast<bool>(removal);
   }
 
-  /** Vertices adjacent to a vertex, ascending. */
+  /** Returns the vertices that are adjacent to a vertex, ascending. */
   std::vector<VertexId>
   GetNeighbors(VertexId vertex) const
   {
@@ -161,8 +163,9 @@ private:
     return neighbors;
   }
 
-  /** Tetrahedra at the vertex's neighbours in the image that are not in the reference, the most promising first: by the
-   * quadruples that the vertex would make there, then by the neighbours that it would have. */
+  /** Returns tetrahedra at the vertex's neighbours in the image that are not in the reference, the most promising
+   * first: those where the vertex would make most quadruples of the reference come first, among them those where it
+   * would have most neighbours of it. */
   std::vector<VertexQuadruple>
   FindPlaces(VertexId vertex, const std::vector<VertexId> & imageNeighbors) const
   {
@@ -235,9 +238,8 @@ private:
     }
   }
 
-  /** Of the star of a vertex and the tetrahedra on its boundary those that are not in the reference, and their
-   * neighbours.
-   */
+  /** Returns those tetrahedra of the star of a vertex, and of those that border on it, that are not in the reference,
+   * and their neighbours. */
   std::vector<TetrahedronId>
   ListWrongAround(VertexId vertex) const
   {
@@ -250,6 +252,8 @@ private:
     return m_State.WrongAndNeighbors(list);
   }
 
+  /** The largest degree of an edge that is removed, as in FocusedAnnealingParameters: to triangulate a ring takes time
+   * in the cube of its length, and removals of large degrees hardly matter. */
   static constexpr std::int32_t LargestDegree = 8;
 
   AnnealingState &                   m_State;
@@ -257,7 +261,7 @@ private:
   double                             m_OneQuadruple;
 };
 
-/** Of each of the vertices, the others of its quadruples, ascending, without the exterior. */
+/** Returns for each of the vertices the others in its quadruples, ascending, without the exterior. */
 std::map<VertexId, std::vector<VertexId>>
 CollectNeighbors(const std::vector<VertexQuadruple> &                   quadruples,
                  const std::vector<std::pair<std::int32_t, VertexId>> & vertices)
@@ -293,6 +297,8 @@ std::size_t
 RelocateVertices(AnnealingState & state, const VertexRelocationParameters & parameters, double oneQuadruple,
                  const Execution & execution)
 {
+  // Each vertex is judged by how many quadruples the reference has for it and how many of them its star lacks or has
+  // too many. The wrong ones are ordered, the worst first, and tried in that order, at most a share of all vertices.
   const ReferenceAdjacency &         reference = *state.energy.GetReference();
   const std::vector<VertexQuadruple> quadruples = reference.GetQuadruples();
   std::vector<std::int32_t>          wanted(static_cast<std::size_t>(state.complex.NumberOfVertices()), 0);
@@ -303,7 +309,7 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
       ++wanted[v];
     }
   }
-  // Quadruples that the vertex lacks, and tetrahedra that it has too many.
+  // The number of quadruples that the vertex lacks, and of tetrahedra that it has too many.
   const auto countWrong = [&](VertexId v) {
     std::int32_t hits = 0;
     const auto   star = state.complex.GetStar(v);
@@ -315,7 +321,7 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
   };
   const auto isWrong = [&](std::int32_t wrong, VertexId v) { return wrong > parameters.wrongShare * wanted[v]; };
 
-  std::vector<std::pair<std::int32_t, VertexId>> order; // the worst first
+  std::vector<std::pair<std::int32_t, VertexId>> order; // The worst vertex comes first.
   for (VertexId v = ExteriorVertex + 1; v < state.complex.NumberOfVertices(); ++v)
   {
     const std::int32_t wrong = countWrong(v);
@@ -334,7 +340,7 @@ RelocateVertices(AnnealingState & state, const VertexRelocationParameters & para
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     execution.Report(static_cast<double>(i) / static_cast<double>(order.size()));
-    // An earlier one may have mended this one as well.
+    // The relocation of an earlier vertex may have mended this one as well.
     const VertexId v = order[i].second;
     if (isWrong(countWrong(v), v))
     {

@@ -14,7 +14,9 @@ namespace tissue
 {
 namespace
 {
-/** Of a triangle of quality 0.1. */
+/** The distortion that a triangle may have after a change, unless it had more before; it has no unit, and 100 is that
+ * of a quality of 0.1. A lower limit would keep more points on lines than wanted, a higher one would leave needles,
+ * which the remeshing of the wall cannot mend where their points are on its outline. */
 constexpr double MostDistortion = 100.0;
 
 bool
@@ -95,6 +97,12 @@ LineCoarsening::NeighborsIn(WallId wall, PointId point) const
   return neighbors;
 }
 
+// The link condition of an edge collapse, on the outline of one wall: the edge from `point` to `into` has one triangle
+// there, so that the two may have one neighbour in common, the third point of that triangle. A second one would leave
+// two triangles on the same edge. The other neighbours of `point` become neighbours of `into` by new edges. Such an
+// edge to a point of the outline cuts the wall in two, which it may only where no other wall can have the same edge:
+// where this wall is the only one that has both points. The edge to `other`, along the line, is meant to be all three
+// walls'.
 bool
 LineCoarsening::WallCanMerge(WallId wall, PointId point, PointId into, PointId other) const
 {
@@ -128,6 +136,8 @@ LineCoarsening::CanMerge(PointId point, PointId into, PointId other) const
          this->CanBeAt(point, m_Mesh.points[into], into);
 }
 
+// A triangle with both points vanishes, and is forgotten by its other points; those with `point` alone get `into`
+// instead.
 void
 LineCoarsening::Merge(PointId point, PointId into)
 {

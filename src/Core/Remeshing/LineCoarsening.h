@@ -13,10 +13,11 @@
 
 namespace tissue
 {
-/** \brief Takes points from triple lines, and slides them along, as far as the triangles at them allow.
+/** \brief Takes points from triple lines, and slides points along them, as far as the triangles at them allow.
  *
- * A triangle may not turn over, nor get as flat as a quality of 0.1 unless it was flatter. Triangles that vanish are
- * left with three equal points (IsGone()), points with a numberOfCells of 0. */
+ * No triangle may turn over, nor become worse than a quality of 0.1, or than it was if it was worse. A point is taken
+ * away by a collapse: it is merged with a neighbour on its line, and the triangles between the two vanish. Triangles
+ * that have vanished are left with three equal points (IsGone()), and such points with a numberOfCells of 0. */
 class LineCoarsening
 {
 public:
@@ -38,14 +39,16 @@ public:
   }
 
 private:
+  /** Whether a point may be merged with one neighbour on its line, `other` being the other one. */
   bool
   CanMerge(PointId point, PointId into, PointId other) const;
-  /** Whether the wall is still a disk, and no edge new to it is another wall's. */
+  /** Whether the wall stays a disk, and no edge that is new in it can be another wall's. */
   bool
   WallCanMerge(WallId wall, PointId point, PointId into, PointId other) const;
+  /** Returns the points that share an edge of the wall with the point, ascending. */
   std::vector<PointId>
   NeighborsIn(WallId wall, PointId point) const;
-  /** Whether the triangles at the point, except those with `except`, would be sound with the point elsewhere. */
+  /** Whether the triangles at the point, except those with `except`, would be sound with the point at `target`. */
   bool
   CanBeAt(PointId point, const Point & target, PointId except) const;
   void

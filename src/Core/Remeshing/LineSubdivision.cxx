@@ -20,7 +20,7 @@ namespace tissue
 {
 namespace
 {
-/** A polygon with the lengths from its start to each of its points. */
+/** A chain of points, with the length along it from its start to each of them. */
 struct Polygon
 {
   std::vector<Point>  points;
@@ -33,6 +33,7 @@ struct Polygon
     points.push_back(point);
   }
 
+  /** Returns the point at a length from the start. */
   Point
   At(double length) const
   {
@@ -44,12 +45,12 @@ struct Polygon
   }
 };
 
-/** A line to be cut. */
+/** A line to be cut: `segments` is what is wanted, Segments() what it has. */
 struct Cut
 {
   WallLine line;
   Polygon  polygon;
-  /** Length along the polygon to each point of the line. */
+  /** The length along the polygon to each point of the line. */
   std::vector<double> lengths;
   std::size_t         segments = 1;
 
@@ -66,6 +67,7 @@ struct Cut
   bool
   IsEven() const
   {
+    // A share of the line's length: far below what can be seen, far above what rounding adds up to.
     constexpr double tolerance = 1e-6;
     for (std::size_t i = 1; i < this->Segments(); ++i)
     {
@@ -78,7 +80,7 @@ struct Cut
   }
 };
 
-/** An edge with its new points, from the smaller end to the larger. */
+/** An edge with its new points, which are in order from the smaller end to the larger. */
 struct SplitEdge
 {
   std::array<PointId, 2> ends;
@@ -111,7 +113,8 @@ PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
   return cuts;
 }
 
-/** Takes away as many points as the line has too many: first those farthest from where a point is wanted. */
+/** Takes away as many points as the line has too many, as far as the triangles allow: first those that are farthest
+ * from where a point is wanted. */
 void
 Coarsen(LineCoarsening & coarsening, Cut & cut)
 {
@@ -134,7 +137,8 @@ Coarsen(LineCoarsening & coarsening, Cut & cut)
   }
 }
 
-/** Into how many pieces each segment of the line goes: about as many as points are wanted in it. */
+/** Returns into how many pieces each segment of the line is to be cut, so that as many points come to lie in each as
+ * are wanted there. */
 std::vector<std::size_t>
 ShareSegments(const Cut & cut)
 {
@@ -153,7 +157,8 @@ ShareSegments(const Cut & cut)
   return pieces;
 }
 
-/** Adds the points a line has too few, and tells of which edges they are. */
+/** Adds the points that a line has too few, and appends the edges that they split. The points of a segment divide it
+ * evenly and lie on the polygon that the line was at first. */
 void
 AddPoints(WallMesh & mesh, Cut & cut, std::vector<SplitEdge> & edges)
 {
@@ -189,7 +194,8 @@ AddPoints(WallMesh & mesh, Cut & cut, std::vector<SplitEdge> & edges)
   cut.lengths = std::move(lengths);
 }
 
-/** Appends the triangle, or those it falls into: a fan for one of its split edges, whose triangles may fall further. */
+/** Appends the triangle, or those it falls into: a fan over one of its split edges, whose triangles are cut further
+ * where they have another one. */
 void
 AppendTriangle(const std::vector<SplitEdge> & edges, const Triangle & t, std::vector<Triangle> & triangles)
 {
@@ -220,7 +226,7 @@ AppendTriangle(const std::vector<SplitEdge> & edges, const Triangle & t, std::ve
   triangles.push_back(t);
 }
 
-/** The mesh with its edges split, without the triangles that are gone. */
+/** Splits the edges of the mesh, and drops the triangles that are gone. */
 void
 SplitTrianglesAt(WallMesh & mesh, std::vector<SplitEdge> & edges)
 {
@@ -239,10 +245,13 @@ SplitTrianglesAt(WallMesh & mesh, std::vector<SplitEdge> & edges)
   mesh.wallOfTriangle = std::move(wallOfTriangle);
 }
 
-/** Moves the line's points towards equal lengths. */
+/** Moves the line's points towards equal lengths, each as far as the triangles and the order of the points allow: all
+ * of the way, or a half, a quarter or an eighth of it. */
 void
 Slide(LineCoarsening & coarsening, Cut & cut)
 {
+  // A point that its neighbour blocks is free once that has moved, so that a few sweeps do; more would take time only
+  // for lines that are stuck.
   constexpr int sweeps = 10;
   constexpr int steps = 4;
   for (int sweep = 0; sweep < sweeps && !cut.IsEven(); ++sweep)

@@ -16,14 +16,24 @@ namespace tissue
 {
 namespace
 {
-constexpr int    FlipRounds = 3;
-constexpr int    FinalRounds = 2;
-constexpr int    MostVaried = 16;
-constexpr int    LineSearchSteps = 4;
+/** How often all edges are tried for a flip, at most, before points move, and how often flips and moves follow each
+ * other once the number of points is right. More rounds take more time and find less to do. */
+constexpr int FlipRounds = 3;
+constexpr int FinalRounds = 2;
+/** The largest number of points within a wall at which one more and one less are tried as well. This takes three times
+ * as long, and the more points there are, the less one of them matters. */
+constexpr int MostVaried = 16;
+/** The number of steps that are tried downhill: a quarter of the length of an edge at the point, then three times half
+ * of the step before. */
+constexpr int LineSearchSteps = 4;
+/** The distortion that a degenerate triangle counts for, in place of an infinite one, that of a quality of 1e-6: sums
+ * stay finite, so that of two shapes with such triangles the better one is known. */
 constexpr double MostDistortion = 1e12;
-/** Cosine of the largest angle between a triangle and the surface. */
+/** The cosine of the angle between the normals of a triangle and of the surface, 78 degrees, from which on the triangle
+ * counts as turned over: it leaves room for bent walls, but none for triangles that stand across the surface. */
 constexpr double LeastCosine = 0.2;
-/** A collapse may not leave a worse triangle than this, or than those it takes away. */
+/** The largest distortion that a collapse may leave, unless one of the triangles it changes had more: that of a quality
+ * of 0.5. Flips and moves mend what is not worse; with a stricter limit more points would stay than wanted. */
 constexpr double CollapseDistortion = 4.0;
 } // namespace
 
@@ -41,6 +51,8 @@ PatchRemesher::PatchRemesher(const WallPatch & patch, ChordRule mayJoin)
 void
 PatchRemesher::AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const
 {
+  // The surface's normal is the mean of those at the corners' feet. The cosine of its angle to the triangle's normal is
+  // compared by squares, which saves the roots.
   const Point & p = m_Patch.PointAt(a);
   const Point & q = m_Patch.PointAt(b);
   const Point & r = m_Patch.PointAt(c);
@@ -74,7 +86,7 @@ PatchRemesher::Claim(const std::vector<HalfEdge> & halfEdges)
   const auto end = static_cast<HalfEdge>(3 * m_Claimed.size());
   for (const HalfEdge h : halfEdges)
   {
-    // Triangles of this pass are beyond the end.
+    // Triangles that this pass has made are beyond the end, and are not to be changed again in it.
     if (h >= end || m_Claimed[h / 3])
     {
       return false;
@@ -90,6 +102,8 @@ PatchRemesher::Claim(const std::vector<HalfEdge> & halfEdges)
 int
 PatchRemesher::SplitLongest(int most)
 {
+  // One pass splits at their middles the edges within the wall that are nearly as long as the longest, longest first,
+  // none in a triangle that the pass has changed. The middle is put on the surface.
   std::vector<Candidate> candidates;
   for (HalfEdge h = 0; h < m_Patch.EndOfHalfEdges(); ++h)
   {
@@ -100,6 +114,8 @@ PatchRemesher::SplitLongest(int most)
   }
   std::sort(candidates.begin(), candidates.end());
   m_Claimed.assign(m_Patch.EndOfHalfEdges() / 3, 0);
+  // A share of the longest edge's length. A smaller one takes fewer passes, but splits edges that flips and moves would
+  // have shortened.
   constexpr double longEnough = 0.7;
   int              count = 0;
   for (const Candidate & candidate : candidates)
@@ -163,6 +179,8 @@ PatchRemesher::BestCollapse(Vertex v) const
 int
 PatchRemesher::CollapseBest(int most)
 {
+  // One pass collapses the points within the wall that add least distortion, at most the best quarter of them and none
+  // in a triangle that the pass has changed: flips and moves before the next pass make the others' costs new.
   std::vector<Candidate> candidates;
   for (Vertex v = m_Patch.OutlineSize(); v < m_Patch.EndOfVertices(); ++v)
   {
@@ -199,6 +217,7 @@ PatchRemesher::CollapseBest(int most)
 bool
 PatchRemesher::FlipIfBetter(HalfEdge h)
 {
+  // The edge (a, b) between the triangles with c and d becomes (c, d).
   const Vertex a = m_Patch.From(h);
   const Vertex b = m_Patch.To(h);
   const Vertex c = m_Patch.Opposite(h);
@@ -254,6 +273,8 @@ PatchRemesher::MoveIfBetter(Vertex v, const Point & target, Shape & shape)
 void
 PatchRemesher::MoveVertex(Vertex v)
 {
+  // The mean of the neighbours is tried first. Where that is no better, steps follow against the gradient of the sum of
+  // distortions, without its part along the surface's normal.
   Shape       shape = this->ShapeAround(v);
   const Point at = m_Patch.PointAt(v);
   Point       sum{ { 0.0, 0.0, 0.0 } };
@@ -297,6 +318,7 @@ PatchRemesher::MoveVertices()
 void
 PatchRemesher::RemeshTo(int numberOfInteriorVertices)
 {
+  // Passes add or take away points until their number is right or none can go any more; flips and moves follow each.
   for (int changed = 1; changed > 0;)
   {
     const int missing = numberOfInteriorVertices - m_Patch.NumberOfInteriorVertices();
@@ -319,7 +341,7 @@ PatchRemesher::Remesh(int numberOfInteriorVertices)
   {
     return;
   }
-  // Between few points the outline decides how many fit best.
+  // With few points within, it depends on the outline how many of them fit best.
   const State start{ m_Patch, m_Feet };
   State       best = start;
   double      bestQuality = MeanQuality(m_Patch);

@@ -14,11 +14,13 @@
 
 namespace tissue
 {
-/** \brief Remeshes one wall within its outline, to a wanted number of points within (WallRemeshing.h).
+/** \brief Remeshes one wall within its outline, to a wanted number of points within it (WallRemeshing.h).
  *
- * Points are added by splitting the longest edges and taken away by the collapses that distort least; then edges are
- * flipped and points moved on the surface of the first triangles, for as long as the sum of TriangleDistortion falls.
- * No step turns a triangle over, as seen along the surface's normals at its corners: at most by 78 degrees. */
+ * Points are added by splitting the longest edges, and taken away by the collapses that distort least. After each pass
+ * of these, edges are flipped and points are moved, where that lowers the sum of TriangleDistortion around them. All
+ * points stay on the surface of the first triangles. No collapse, flip or move makes more triangles that are turned
+ * over: a triangle counts as turned over if its normal is more than 78 degrees off the mean of the surface's normals at
+ * its corners. */
 class PatchRemesher
 {
 public:
@@ -27,31 +29,35 @@ public:
   /** Whether two vertices of the outline that are not neighbours on it may be joined. */
   using ChordRule = std::function<bool(Vertex, Vertex)>;
 
-  /** \param patch a compact one. */
+  /** \param patch the wall's triangles, a compact patch.
+   * \param mayJoin the rule for chords. */
   PatchRemesher(const WallPatch & patch, ChordRule mayJoin);
 
-  /** Up to 16 points within, one more or one less is taken where that makes the mean TriangleQuality better. More stay
-   * where no collapse is allowed. */
+  /** Remeshes to a number of points within. Where 16 points or fewer are wanted, one more or one less is taken if that
+   * makes the mean TriangleQuality better. Where no collapse is allowed, more points stay. */
   void
   Remesh(int numberOfInteriorVertices);
 
+  /** Gives the patch away, made compact. */
   WallPatch
   TakePatch();
 
 private:
-  /** Judges triangles; fewer turned ones are better, then less distortion. */
+  /** A judgement of some triangles: fewer turned ones are better, and of as many, less distortion. */
   struct Shape
   {
     int    turned = 0;
     double distortion = 0.0;
     double worst = 0.0;
 
+    /** Distortion must fall by a millionth, so that rounding cannot make a change and its reverse both better. */
     bool
     IsBetterThan(const Shape & other) const
     {
       return turned != other.turned ? turned < other.turned : distortion < (1.0 - 1e-6) * other.distortion;
     }
   };
+  /** An edge to split or to collapse, the one of least cost first. */
   struct Candidate
   {
     double   cost;
@@ -63,6 +69,7 @@ private:
     }
   };
 
+  /** A triangulation, with the place of each of its points on the surface. */
   struct State
   {
     WallPatch                       patch;
@@ -71,23 +78,28 @@ private:
 
   void
   AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const;
+  /** Judges the triangles at a vertex. */
   Shape
   ShapeAround(Vertex v) const;
+  /** Whether an edge may join two vertices; only chords, between two vertices of the outline, can be forbidden. */
   bool
   MayJoin(Vertex a, Vertex b) const;
-  /** Marks triangles as changed in this pass; false, and none is marked, where one of them is already. */
+  /** Marks triangles as changed in this pass. Where one of them is marked already, returns false and marks none. */
   bool
   Claim(const std::vector<HalfEdge> & halfEdges);
 
   void
   RemeshTo(int numberOfInteriorVertices);
 
+  /** Makes one pass of splits, `most` of them at most, and returns their number. */
   int
   SplitLongest(int most);
   bool
   MayCollapse(HalfEdge h) const;
+  /** Returns the legal collapse of a vertex within that adds least distortion; its edge is None where there is none. */
   Candidate
   BestCollapse(Vertex v) const;
+  /** Makes one pass of collapses, `most` of them at most, and returns their number. */
   int
   CollapseBest(int most);
   bool
@@ -96,6 +108,7 @@ private:
   FlipEdges();
   void
   MoveVertices();
+  /** Moves a vertex to the surface's point near a target, if that makes the triangles at it better than this shape. */
   bool
   MoveIfBetter(Vertex v, const Point & target, Shape & shape);
   void

@@ -14,7 +14,10 @@ namespace
 {
 using Weights = std::array<double, 3>;
 
-/** Weights of the point of a triangle that is nearest to p (C. Ericson, Real-Time Collision Detection, 5.1.5). */
+/** Returns the weights of the point of a triangle that is nearest to p (C. Ericson, Real-Time Collision Detection,
+ * 5.1.5). The regions of space whose nearest point is a corner, or on an edge, are ruled out one after the other; what
+ * is left is above the inside. The products d1 to d6 tell how far p is along the edges from each corner; va, vb and vc
+ * are the barycentric weights of p, projected to the triangle's plane, times the squared normal. */
 Weights
 NearestInTriangle(const Point & p, const Point & a, const Point & b, const Point & c)
 {
@@ -111,6 +114,8 @@ PatchSurface::FindNearest(std::int32_t triangle, const Point & point) const
 PatchSurface::Foot
 PatchSurface::FindFoot(const Point & point, std::int32_t start) const
 {
+  // From a triangle whose nearest point is at a corner, the walk looks at all triangles at that corner; where it is on
+  // an edge, at the one beyond the edge; inside, it ends. Each step must come nearer by more than rounding.
   std::int32_t triangle = start;
   Nearest      nearest = this->FindNearest(triangle, point);
   const auto   tryTriangle = [&](WallPatch::HalfEdge h) {
@@ -133,7 +138,7 @@ PatchSurface::FindFoot(const Point & point, std::int32_t start) const
     const Weights      weights = nearest.weights;
     for (int i = 0; i < 3; ++i)
     {
-      const WallPatch::HalfEdge edge = 3 * at + (i + 1) % 3; // opposite to corner i
+      const WallPatch::HalfEdge edge = 3 * at + (i + 1) % 3; // The edge opposite to corner i.
       if (weights[i] == 1.0)
       {
         m_Patch.ForEachAround(m_Patch.From(3 * at + i),

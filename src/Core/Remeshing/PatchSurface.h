@@ -21,19 +21,20 @@ public:
   struct Foot
   {
     Point point;
-    /** Of unit length, interpolated from those at the triangle's corners. */
+    /** The unit normal, interpolated from those at the triangle's corners. */
     Point        normal;
     std::int32_t triangle;
   };
 
-  /** \param patch a compact one. */
+  /** \param patch the wall's triangles, a compact patch, which is copied. */
   explicit PatchSurface(const WallPatch & patch);
 
+  /** Returns a vertex of the wall as a point of the surface. */
   Foot
   FootAt(WallPatch::Vertex v) const;
 
-  /** The nearest point that a walk downhill finds from a triangle near it: over edges and corners, for as long as the
-   * distance shrinks. The wall's other sheets, where it is folded, are not seen. */
+  /** Returns the nearest point of the surface that a walk from a triangle finds. The walk goes over edges and corners
+   * as long as the distance shrinks, so that it does not see the wall's other sheets where the wall is folded. */
   Foot
   FindFoot(const Point & point, std::int32_t start) const;
 

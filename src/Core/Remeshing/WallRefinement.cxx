@@ -58,6 +58,8 @@ CollectEdges(const WallMesh & mesh)
 void
 SplitTriangles(WallMesh & mesh)
 {
+  // Each edge gets a point at its middle, whose number follows from the edge's place in the sorted list; each triangle
+  // becomes the three at its corners and the one between its middles.
   const std::vector<MeshEdge> edges = CollectEdges(mesh);
   const auto                  firstMiddle = static_cast<PointId>(mesh.points.size());
   for (const MeshEdge & edge : edges)
@@ -94,10 +96,12 @@ SplitTriangles(WallMesh & mesh)
 void
 SmoothWalls(WallMesh & mesh, int numberOfIterations)
 {
+  // The shares of the way to the mean of the neighbours that points go, in turn. Their 1 / 0.5 - 1 / 0.53 = 0.11 is the
+  // filter's pass-band frequency, up to which waves stay; Taubin found 0.01 to 0.1 to be good.
   constexpr double            forward = 0.5;
   constexpr double            backward = -0.53;
   const std::vector<MeshEdge> edges = CollectEdges(mesh);
-  // A point follows the points that meet at least as many cells, along edges that do so too.
+  // A point follows its neighbours along edges that meet at least as many cells as the point does.
   const auto follows = [&mesh](PointId point, const MeshEdge & edge) {
     return mesh.numberOfCells[point] == CellsWithinWall ||
            (mesh.numberOfCells[point] == CellsOnLine && edge.numberOfTriangles > 2);

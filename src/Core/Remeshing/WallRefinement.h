@@ -17,8 +17,8 @@ void
 SplitTriangles(WallMesh & mesh);
 
 /** \brief Smooths the walls in place by Taubin's filter (G. Taubin, A signal processing approach to fair surface
- * design, SIGGRAPH 1995, doi:10.1145/218380.218473), which does not shrink: a step of 0.5 towards the mean of the
- * neighbours, then one of -0.53 away from it, each iteration.
+ * design, SIGGRAPH 1995, doi:10.1145/218380.218473), which does not shrink them. In each iteration a point goes by 0.5
+ * of its distance towards the mean of its neighbours, and then by 0.53 of its new distance away from it.
  *
  * Points within a wall follow all their neighbours, points on a triple line their two neighbours on it; junctions stay
  * where they are. */

@@ -34,7 +34,7 @@ RemeshPiece(const WallMesh & mesh, const WallsAtPoints & wallsAt, double edgeLen
   TakePatch(remesher.TakePatch(), piece);
 }
 
-/** The edges of a patch that can be split, longest first. */
+/** The edges of a patch that can be split, the longest first. */
 class LongestEdges
 {
 public:
@@ -58,7 +58,7 @@ public:
     }
   }
 
-  /** WallPatch::None where there is none left. */
+  /** Takes the longest edge and returns it, or WallPatch::None where there is none left. */
   HalfEdge
   Pop()
   {
@@ -66,7 +66,7 @@ public:
     {
       const auto [length, h] = m_Edges.top();
       m_Edges.pop();
-      // A half-edge that was split goes on as a shorter one.
+      // A half-edge that was split goes on as a shorter one, which has an entry of its own.
       if (length == this->LengthOf(h))
       {
         return h;
@@ -106,7 +106,7 @@ SubdividePiece(const WallMesh & mesh, double edgeLength, WallPiece & piece)
   TakePatch(patch, piece);
 }
 
-/** Calls change(w, piece) with the piece of each wall, and joins what is left of them. */
+/** Cuts the mesh into one piece for each wall, calls change(w, piece) with each, and joins the changed pieces. */
 template <typename TChange>
 void
 ChangeWalls(WallMesh & mesh, const Execution & execution, const TChange & change)
@@ -141,6 +141,8 @@ std::vector<double>
 RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::vector<double> & factors,
                           const Execution & execution)
 {
+  // At most so many meshings are made, and the number of triangles may be off by this share of the wanted one. What
+  // comes of the walls is known only once they are remeshed, but its ratio to what was ordered changes little.
   constexpr int    tries = 3;
   constexpr double tolerance = 0.02;
   const WallMesh   before = mesh;
@@ -163,6 +165,8 @@ RemeshToNumberOfTriangles(WallMesh & mesh, double numberOfTriangles, const std::
 void
 ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> & walls)
 {
+  // The walls' triangles are collected from the one mesh or the other, wall by wall. The points within walls that the
+  // other mesh brings are appended, and get new numbers when they are first met.
   std::vector<unsigned char> isReplaced(mesh.walls.size(), 0);
   for (const WallId w : walls)
   {
@@ -171,7 +175,7 @@ ReplaceWalls(WallMesh & mesh, const WallMesh & other, const std::vector<WallId> 
   const std::vector<std::size_t> firstOfMesh = FirstTrianglesOfWalls(mesh);
   const std::vector<std::size_t> firstOfOther = FirstTrianglesOfWalls(other);
   std::vector<PointId>           numberOf(other.points.size(), -1);
-  // The corners and lines' points are the mesh's own.
+  // The points of corners and lines have the same numbers in both meshes.
   const auto takePoint = [&](PointId & p) {
     if (other.numberOfCells[p] != CellsWithinWall)
     {
