@@ -17,9 +17,9 @@ namespace tissue
 /** \brief The triangles of one wall, with the numbers of its own points: first those of its outline. */
 struct WallPiece
 {
-  /** Points of the mesh on the wall's outline, ascending. */
+  /** The points of the mesh on the wall's outline, in ascending order. */
   std::vector<PointId> outline;
-  /** Positions of the points within the wall. */
+  /** The positions of the points within the wall. */
   std::vector<Point>                       interior;
   std::vector<std::array<std::int32_t, 3>> triangles;
 };
