@@ -17,7 +17,7 @@ namespace tissue
 {
 namespace
 {
-/** The share of the smaller ball that is in the other one. */
+/** Gives the share of the smaller ball's volume that is in the other ball. */
 double
 Overlap(double radius, double other, double distance)
 {
@@ -31,7 +31,7 @@ Overlap(double radius, double other, double distance)
   {
     return 1.0;
   }
-  // The lens of two spherical caps.
+  // What the balls have in common is a lens of two spherical caps.
   const double sum = smaller + larger - distance;
   const double difference = larger - smaller;
   const double lens =
@@ -49,7 +49,8 @@ BlobRadius(double scale)
 BlobScaleRange
 ChooseBlobScales(std::vector<Blob> maxima)
 {
-  constexpr double factor = 2.0;
+  // The weighted median: the scale below which half of the sum of all weights lies.
+  constexpr double factor = 2.0; // from the median down and up, so that the range spans two octaves
   std::sort(maxima.begin(), maxima.end(), [](const Blob & a, const Blob & b) {
     return std::tie(a.scale, a.response) < std::tie(b.scale, b.response);
   });
@@ -74,8 +75,11 @@ ChooseBlobScales(std::vector<Blob> maxima)
 double
 ChooseBlobThreshold(std::vector<double> responses)
 {
-  constexpr double leastShare = 0.01;
-  constexpr double leastFactor = 3.0;
+  // Otsu's method on the sorted logarithms, without a histogram: of all cuts into the first k and the other n - k the
+  // one of the greatest variance between the two, k (n - k) times the squared difference of their means. The threshold
+  // is halfway between the two responses at the cut, in logarithms.
+  constexpr double leastShare = 0.01; // of the greatest response: what is weaker would draw the cut into the noise
+  constexpr double leastFactor = 3.0; // between the two means, without which a single kind would be cut in two
   std::sort(responses.begin(), responses.end());
   responses.erase(
     responses.begin(),
@@ -123,7 +127,8 @@ RemoveOverlappingBlobs(std::vector<Blob> blobs, double maximumOverlap)
   {
     largest = std::max(largest, BlobRadius(blob.scale));
   }
-  // Balls that overlap have their centres in the same box of this side, or in two that touch.
+  // The strongest blobs are kept first, so that each blob is compared with kept ones only. Balls that overlap have
+  // their centres in the same box of this side, or in two boxes that touch.
   const double                                             side = std::max(2.0 * largest, 1e-300);
   std::map<std::array<std::int64_t, 3>, std::vector<Blob>> boxes;
   std::vector<Blob>                                        kept;
