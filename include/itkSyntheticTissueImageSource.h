@@ -61,41 +61,41 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(SyntheticTissueImageSource, GenerateImageSource);
 
-  /** At least 1; default 100. */
+  /** The number of cells, at least 1. The default is 100. */
   itkSetMacro(NumberOfCells, uint32_t);
   itkGetConstMacro(NumberOfCells, uint32_t);
 
-  /** Every seed gives another tissue; default 0. */
+  /** The seed of the random numbers: each gives another tissue. The default is 0. */
   itkSetMacro(Seed, uint64_t);
   itkGetConstMacro(Seed, uint64_t);
 
-  /** Default: Dome. */
+  /** The outline of the tissue. The default is Dome. */
   itkSetEnumMacro(Shape, ShapeEnum);
   itkGetEnumMacro(Shape, ShapeEnum);
 
-  /** Default: Anisotropic. */
+  /** How the tissue is made into cells. The default is Anisotropic. */
   itkSetEnumMacro(CellModel, CellModelEnum);
   itkGetEnumMacro(CellModel, CellModelEnum);
 
-  /** Of the anisotropic cells, the greatest ratio of the longest to the shortest axis of a cell's metric; at least 1,
-   * where they are Voronoi cells. Default 3.5. */
+  /** The greatest ratio of the longest to the shortest axis of the metric of an anisotropic cell. It is at least 1,
+   * where all are Voronoi cells. The default is 3.5. */
   itkSetMacro(Anisotropy, double);
   itkGetConstMacro(Anisotropy, double);
 
-  /** Exterior voxels left between the shape and each side of the image. Default 4. */
+  /** The number of exterior voxels left between the shape and each side of the image. The default is 4. */
   itkSetMacro(Margin, SizeValueType);
   itkGetConstMacro(Margin, SizeValueType);
 
-  /** How often each voxel takes the label of the majority of its 3x3x3 neighbourhood, near ones counting more: rounds
-   * edges and corners off. Default 2; 0 leaves the walls as the model has them. */
+  /** How often each voxel takes the label of the majority of its 3x3x3 neighbourhood, in which near voxels count more.
+   * This rounds edges and corners off; 0 leaves the walls as the model has them. The default is 2. */
   itkSetMacro(Smoothing, unsigned int);
   itkGetConstMacro(Smoothing, unsigned int);
 
-  /** Default 0. */
+  /** The label of the exterior. The default is 0. */
   itkSetMacro(ExteriorLabel, PixelType);
   itkGetConstMacro(ExteriorLabel, PixelType);
 
-  /** Default 1. */
+  /** The least label of a cell. The default is 1. */
   itkSetMacro(FirstCellLabel, PixelType);
   itkGetConstMacro(FirstCellLabel, PixelType);
 
@@ -118,7 +118,8 @@ protected:
 private:
   void
   VerifyMargin() const;
-  /** Of the label of a cell (0 for the first) from the first one's, in steps that skip the exterior's. */
+  /** The difference of the label of a cell, of which the first is cell 0, and the first one's. The exterior's label is
+   * skipped. */
   uint64_t
   GetLabelOffset(uint64_t cell) const;
   PixelType
@@ -126,8 +127,8 @@ private:
   bool
   IsInside(const IndexType & index) const;
 
-  /** The phases of GenerateData, in their order. The first fills the output with the exterior label and, in the shape,
-   * another one, and returns the number of the latter. */
+  /** This function and the following ones are the phases of GenerateData, in their order. The first fills the output
+   * with the exterior label and, in the shape, the first cell's, and returns the number of voxels in the shape. */
   SizeValueType
   MarkTissue();
   tissue::AnisotropicTessellation
