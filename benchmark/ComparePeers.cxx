@@ -145,8 +145,10 @@ Contestant
 RunMesh3(const Options & options, const CellImage * cells, const JunctionSet & junctions, const LabelVolume & volume,
          double numberOfTriangles)
 {
-  constexpr int    mostRuns = 5;     // each is a whole meshing; by the square law few are needed
-  constexpr double tolerance = 0.05; // of the wanted number of triangles, so that meshes can be compared
+  // Each run is a whole meshing, and by the square law few are needed. Numbers of triangles within 5 % of the wanted
+  // one make meshes comparable.
+  constexpr int    mostRuns = 5;
+  constexpr double tolerance = 0.05;
   Mesh3Parameters  parameters = options.mesh3;
   const bool       isGiven = parameters.facetSize > 0.0;
   if (!isGiven)

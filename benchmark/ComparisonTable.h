@@ -18,7 +18,7 @@
 
 namespace tissue
 {
-/** One column of the comparison. */
+/** A program that takes part in the comparison, which is one column of it. */
 struct Contestant
 {
   struct Phase

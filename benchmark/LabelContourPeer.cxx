@@ -32,7 +32,7 @@ ShareImage(const CellImage * image)
   share->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
   share->SetSpacing(image->GetSpacing().GetDataPointer());
   vtkNew<vtkTypeInt32Array> values;
-  constexpr int             keepWithOwner = 1; // VTK's array must not free what belongs to the image
+  constexpr int             keepWithOwner = 1; // VTK's array must not free the image's buffer.
   values->SetArray(const_cast<VertexId *>(image->GetBufferPointer()),
                    static_cast<vtkIdType>(image->GetBufferedRegion().GetNumberOfPixels()),
                    keepWithOwner);

@@ -95,8 +95,8 @@ MeshByMesh3(const CellImage * image, const Mesh3Parameters & parameters)
   // With a random generator of its own the mesh is the same each time.
   CGAL::Random   random(0);
   const Domain   domain = Domain::create_labeled_image_mesh_domain(labels, named::p_rng = &random);
-  constexpr int  facetAngle = 30;         // in degrees, the largest with which the refinement is sure to end
-  constexpr int  cellRadiusEdgeRatio = 3; // above 2, so that the refinement is sure to end
+  constexpr int  facetAngle = 30;         // In degrees: with at most this the refinement is sure to end.
+  constexpr int  cellRadiusEdgeRatio = 3; // With more than 2 the refinement is sure to end.
   const Criteria criteria(named::facet_angle = facetAngle,
                           named::facet_size = parameters.facetSize,
                           named::facet_distance = parameters.facetDistance * parameters.facetSize,

@@ -34,9 +34,9 @@ using namespace tissue;
 LabelImage::Pointer
 MakeTissue(std::int64_t numberOfCells, std::uint64_t seed = 1)
 {
-  constexpr double voxelsPerCell = 4000.0; // adjacencies are then about as hard as those of real tissue
+  constexpr double voxelsPerCell = 4000.0; // Adjacencies then are about as hard as those of real tissue.
   using SourceType = itk::SyntheticTissueImageSource<LabelImage>;
-  constexpr unsigned int margin = 2; // in voxels, so that all cells at the surface have the exterior beside them
+  constexpr unsigned int margin = 2; // In voxels: all cells at the surface have the exterior beside them.
   const double           side = std::cbrt(voxelsPerCell * static_cast<double>(numberOfCells)) + 2 * margin;
   LabelImage::SizeType   size;
   size.Fill(static_cast<itk::SizeValueType>(side));
@@ -94,7 +94,7 @@ private:
 std::vector<Tissue>
 MakeTissues(std::int64_t numberOfCells)
 {
-  constexpr std::int64_t cellsOfAll = 10000; // in all tissues of one size, enough to even out easy ones
+  constexpr std::int64_t cellsOfAll = 10000; // So many cells in all tissues of one size even out easy ones.
   std::vector<Tissue>    tissues;
   do
   {

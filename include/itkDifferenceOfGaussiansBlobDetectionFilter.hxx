@@ -249,9 +249,9 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::Smooth(RealImagePointer i
   -> RealImagePointer
 {
   // The recursive filter takes the same time for any deviation, but is not accurate for those far below a voxel, and
-  // needs four voxels along its axis.
-  constexpr double        leastRecursive = 0.6; // in voxels
-  constexpr SizeValueType leastSize = 4;        // in voxels
+  // needs four voxels along its axis. Both bounds are in voxels.
+  constexpr double        leastRecursive = 0.6;
+  constexpr SizeValueType leastSize = 4;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double voxels = deviation / image->GetSpacing()[axis];
@@ -294,8 +294,10 @@ template <typename TInputImage>
 bool
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::HalveWhereSmooth(Window & window, double deviation) const
 {
-  constexpr double        enough = 2.0;  // in voxels: one voxel of deviation is left in coarse ones
-  constexpr SizeValueType leastSize = 8; // in voxels: the half of it still is enough for the recursive filter
+  // With a deviation of two voxels one of a coarse voxel is left, and half of eight voxels still are enough for the
+  // recursive filter.
+  constexpr double        enough = 2.0;
+  constexpr SizeValueType leastSize = 8;
   const auto              fine = window[3];
   std::array<int, 3>      factors{};
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -476,8 +478,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FitBlob(const RealImageTy
   }
 
   // Where the top of the four-dimensional parabola is too far to be trusted, those along the single axes are taken,
-  // which are half a step off at most.
-  constexpr double            farthest = 0.75; // in voxels and levels: half a step and some more
+  // which are half a step off at most. Steps are voxels and levels.
+  constexpr double            farthest = 0.75;
   const auto                  solution = vnl_svd<double>(hessian.as_matrix()).solve(-gradient.as_vector());
   vnl_vector_fixed<double, 4> offset;
   const bool isNear = std::all_of(solution.begin(), solution.end(), [](double x) { return std::abs(x) <= farthest; });

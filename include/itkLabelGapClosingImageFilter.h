@@ -55,9 +55,9 @@ public:
   itkSetMacro(BackgroundLabel, LabelPixelType);
   itkGetConstMacro(BackgroundLabel, LabelPixelType);
 
-  /** Width of the widest gap to close, in physical units. Default: 0, which stands for automatic: twice the median
-   * length of the runs of background between two different cells along the axes of the image, of those no longer than
-   * half the diameter of the mean cell. */
+  /** The width of the widest gap to close, in physical units. The default, 0, stands for an automatic width. That is
+   * twice the median length of the runs of background between two different cells along the axes of the image; only
+   * runs up to half the diameter of the mean cell are counted. */
   itkSetMacro(GapWidth, double);
   itkGetConstMacro(GapWidth, double);
 

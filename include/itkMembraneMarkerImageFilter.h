@@ -25,7 +25,7 @@ namespace itk
  * the minima. The exterior's marker stays ExteriorMargin away from its boundary; an image without such a place has no
  * exterior.
  *
- * Errors (ExceptionObject): a pixel that is no finite number, an image of one value.
+ * Errors (ExceptionObject): a pixel that is not a finite number, an image of one value.
  *
  * \sa MembraneToTissueLabelImageFilter
  * \ingroup TissueTessellation

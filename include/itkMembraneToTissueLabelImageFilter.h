@@ -31,8 +31,8 @@ namespace itk
  *
  * Output: on the grid of the membrane image; every voxel is a cell's or the exterior's.
  *
- * Errors (ExceptionObject): a pixel that is no finite number, with its place; an image of one value; no cell; cells of
- * the cell image that lie outside of the membrane image; more cells than the output's pixel type can number.
+ * Errors (ExceptionObject): a pixel that is not a finite number, with its place; an image of one value; no cell; cells
+ * of the cell image that lie outside of the membrane image; more cells than the output's pixel type can number.
  *
  * \sa CellCoreImageFilter MembraneMarkerImageFilter MorphologicalWatershedFromMarkersImageFilter
  * \ingroup TissueTessellation

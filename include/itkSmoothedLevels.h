@@ -23,7 +23,7 @@ namespace itk
  */
 using LevelImageType = Image<std::uint16_t, 3>;
 
-/** Throws ExceptionObject, with the place, where the image holds a pixel that is no finite number, and where all its
+/** Throws ExceptionObject, with the place, where the image holds a pixel that is not a finite number, and where all its
  * pixels are the same. */
 template <typename TImage>
 void

@@ -27,7 +27,7 @@ namespace itk
  * The output is a 3-D image of an integer pixel type, with size, spacing, origin and direction of the superclass. Every
  * cell is one 6-connected piece. There are exactly NumberOfCells of them; their labels ascend by one from
  * FirstCellLabel, skipping ExteriorLabel, which all other voxels have. Cells are even in physical units, whatever the
- * spacing; the shape fills the image but for the margin.
+ * spacing; the shape fills the image up to the margin.
  *
  * The same parameters give the same image on every machine and for any number of threads; origin and direction change
  * no voxel.
@@ -118,8 +118,7 @@ protected:
 private:
   void
   VerifyMargin() const;
-  /** The difference of the label of a cell, of which the first is cell 0, and the first one's. The exterior's label is
-   * skipped. */
+  /** Gives how much the label of a cell, counted from 0, exceeds the first one's. The exterior's label is skipped. */
   uint64_t
   GetLabelOffset(uint64_t cell) const;
   PixelType

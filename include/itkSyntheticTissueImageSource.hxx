@@ -202,7 +202,7 @@ template <typename TOutputImage>
 tissue::AnisotropicTessellation
 SyntheticTissueImageSource<TOutputImage>::GrowCells(double cellDiameter)
 {
-  constexpr std::int32_t       cellsPerFounder = 16; // for about four generations of divisions
+  constexpr std::int32_t       cellsPerFounder = 16; // This makes about four generations of divisions.
   tissue::SyntheticCellOptions options;
   options.numberOfCells = static_cast<std::int32_t>(m_NumberOfCells);
   options.seed = m_Seed;

@@ -30,10 +30,10 @@ struct SyntheticCellOptions
 /** \brief Grows the cells of a synthetic tissue, as a tessellation.
  *
  * Founders tessellate the tissue, each with its seed about in its centroid (Lloyd's relaxation). Then cells divide, a
- * generation at a time, until there are as many as asked for. Those that divide are the largest but for the chance of
- * their growth, and they divide across one of their longer directions. After a division all cells round off: the metric
- * of each becomes that of its covariance, which keeps size, length and flatness but not the corners. The tissue as a
- * whole keeps its size: cells grow between two divisions, and the frame with them.
+ * generation at a time, until there are as many as asked for. Those that divide are the largest, give or take the
+ * chance of their growth, and they divide across one of their longer directions. After a division all cells round off:
+ * the metric of each becomes that of its covariance, which keeps size, length and flatness but not the corners. The
+ * tissue as a whole keeps its size: cells grow between two divisions, and the frame with them.
  *
  * Every cell has at least one sample.
  * \throws std::runtime_error if there are fewer samples than cells, or no arrangement is found.

@@ -113,7 +113,7 @@ private:
                                (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) };
     const double x = a[0] - (normal[1] * (y - a[1]) + normal[2] * (z - a[2])) / normal[0];
     const auto [least, most] = std::minmax({ a[0], b[0], c[0] });
-    return x >= least ? std::min(x, most) : least; // also where rounding has made the divisor 0 and x no number
+    return x >= least ? std::min(x, most) : least; // Rounding can have made the divisor 0, too.
   }
 
   const std::array<std::int32_t, 3>            m_Size;
@@ -126,7 +126,7 @@ CountVoxelsOfImage(VertexId numberOfVertices, const LabelVolume & labels)
   std::vector<std::int64_t> counts(static_cast<std::size_t>(numberOfVertices), 0);
   for (const VertexId v : labels.vertices)
   {
-    if (v < numberOfVertices) // voids come after the cells
+    if (v < numberOfVertices) // Voids come after the cells.
     {
       ++counts[v];
     }

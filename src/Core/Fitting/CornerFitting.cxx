@@ -80,7 +80,7 @@ CollectLines(const DualMesh & dual, const std::vector<VertexQuadruple> & tetrahe
  *
  * A line's direction is the tangent of its triple line in the image at its middle, one voxel long, so that the dot
  * product with it, over its square, is a length in voxels. In a sweep the moves of all lines are summed up before any
- * corner moves, which makes the result independent of the lines' order but for rounding. */
+ * corner moves, which makes the result independent of the lines' order up to rounding. */
 void
 KeepApart(std::vector<CornerPair> & lines, const IndicatorField & field, std::vector<Point> & corners)
 {

@@ -34,7 +34,7 @@ CountShared(const Triangle & a, const Triangle & b)
 bool
 IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
 {
-  constexpr double least = 0.996; // the cosine of 5 degrees
+  constexpr double least = 0.996; // This is the cosine of 5 degrees.
   PointId          ends[2] = { -1, -1 };
   PointId          apexA = -1;
   PointId          apexB = -1;

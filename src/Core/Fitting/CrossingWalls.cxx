@@ -46,7 +46,7 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
       partners[b].insert(a);
     }
   }
-  std::set<std::pair<std::ptrdiff_t, WallId>> byPartners; // the most partners first, of equals the smaller wall
+  std::set<std::pair<std::ptrdiff_t, WallId>> byPartners; // Most partners come first, then smaller walls.
   const auto                                  rankOf = [&partners](WallId wall) {
     return std::make_pair(-static_cast<std::ptrdiff_t>(partners.at(wall).size()), wall);
   };

@@ -14,7 +14,7 @@
 
 namespace tissue
 {
-/** Two triangles, the smaller index first. */
+/** The indices of two triangles, of which the smaller is the first. */
 using TrianglePair = std::array<std::int32_t, 2>;
 
 /** Finds all pairs of triangles that cross (TriangleCrossing.h), in ascending order. */

@@ -40,8 +40,7 @@ MakePatch(const WallMesh & mesh, const WallPiece & piece);
 void
 TakePatch(const WallPatch & patch, WallPiece & piece);
 
-/** The pieces in the place of the walls of `mesh`, of which the points on lines and at corners remain, and come first.
- */
+/** Puts the pieces in the place of the walls of `mesh`. Its points on lines and at corners remain, and come first. */
 WallMesh
 JoinWallPieces(const WallMesh & mesh, const std::vector<WallPiece> & pieces);
 } // namespace tissue

@@ -49,8 +49,9 @@ BlobRadius(double scale)
 BlobScaleRange
 ChooseBlobScales(std::vector<Blob> maxima)
 {
-  // The weighted median: the scale below which half of the sum of all weights lies.
-  constexpr double factor = 2.0; // from the median down and up, so that the range spans two octaves
+  // The weighted median is the scale at which half of the sum of all weights is reached. The range goes from it by a
+  // factor of two down and up.
+  constexpr double factor = 2.0;
   std::sort(maxima.begin(), maxima.end(), [](const Blob & a, const Blob & b) {
     return std::tie(a.scale, a.response) < std::tie(b.scale, b.response);
   });
@@ -78,8 +79,10 @@ ChooseBlobThreshold(std::vector<double> responses)
   // Otsu's method on the sorted logarithms, without a histogram: of all cuts into the first k and the other n - k the
   // one of the greatest variance between the two, k (n - k) times the squared difference of their means. The threshold
   // is halfway between the two responses at the cut, in logarithms.
-  constexpr double leastShare = 0.01; // of the greatest response: what is weaker would draw the cut into the noise
-  constexpr double leastFactor = 3.0; // between the two means, without which a single kind would be cut in two
+  // Responses weaker than a hundredth of the greatest would draw the cut into the noise, so they are left out. Means
+  // closer than a factor of 3 are those of a single kind, which is not to be cut in two.
+  constexpr double leastShare = 0.01;
+  constexpr double leastFactor = 3.0;
   std::sort(responses.begin(), responses.end());
   responses.erase(
     responses.begin(),

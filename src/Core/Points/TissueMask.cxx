@@ -188,7 +188,7 @@ CollectSolids(const AdjacencyComplex & complex, const std::vector<Point> & cente
 void
 FillVoids(TissueMask & mask)
 {
-  constexpr std::uint8_t   outside = 2; // a mark besides the mask's 0 and 1
+  constexpr std::uint8_t   outside = 2; // The mask itself has 0 and 1 only.
   std::vector<std::size_t> open;
   const auto               visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
     std::uint8_t & value = mask.inside[mask.grid.Offset(x, y, z)];
@@ -244,7 +244,7 @@ TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                    const std::vector<double> & depths, const TissueGrid & grid, const Execution & execution)
 {
-  constexpr std::int32_t   planesAtATime = 4; // low enough for all threads to have work, as each looks at all solids
+  constexpr std::int32_t   planesAtATime = 4; // Thin slices share the work well, thick ones save looking at all solids.
   const std::vector<Solid> solids = CollectSolids(complex, centers, depths);
   TissueMask               mask{ grid, std::vector<std::uint8_t>(grid.NumberOfPoints(), 0) };
   execution.For((mask.grid.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {

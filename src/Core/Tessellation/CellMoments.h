@@ -23,8 +23,8 @@ struct CellMoments
   Metric covariance = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
 };
 
-/** Measures the moments of all cells, in the order of their indices. Where a cell has no point they are zero, but for
- * the part of the box in the covariance. \param boxSize the sides of the box that each point stands for. */
+/** Measures the moments of all cells, in the order of their indices. Where a cell has no point they are zero, except
+ * for the part of the box in the covariance. \param boxSize the sides of the box that each point stands for. */
 std::vector<CellMoments>
 MeasureCells(const std::vector<Point> & points, const std::vector<std::int32_t> & cellOfPoint,
              std::size_t numberOfCells, const Point & boxSize);

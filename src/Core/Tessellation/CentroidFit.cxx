@@ -45,7 +45,7 @@ constexpr Metric NoShape = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
 /** The share of the way from its cell's centroid to its point that a seed moves in a sweep. Less than the whole damps
  * the fit, as neighbours move at the same time. */
 constexpr double SeedStep = 0.7;
-/** The share of the way to its new value that the logarithm of a metric goes in a sweep; it damps the fit likewise. */
+/** The share of the way to its new value that the logarithm of a metric goes in a sweep. It damps the fit, too. */
 constexpr double MetricMixing = 0.3;
 /** How much of its own shape a cell's metric takes on, and how much of the shapes about it. From about 0.5 on a cell's
  * own shape would feed itself; a shape that many cells have in common does not. */
