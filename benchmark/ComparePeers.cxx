@@ -4,7 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-// Our pipeline and its peers on the same label image in one go: times, and what each mesh keeps of the tissue.
+// Runs the pipeline and its peers on the same label image in one go, and compares their times and what each mesh keeps
+// of the tissue.
 #include "ComparisonTable.h"
 #include "LabelInput.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
@@ -48,7 +49,7 @@ Median(std::vector<double> values)
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-/** As all are judged: with one exterior, which the peers know alone. */
+/** Judges a mesh as all meshes are judged: with a single exterior, as the peers know no voids. */
 TissueMeshEvaluation
 Evaluate(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels)
 {
@@ -56,7 +57,7 @@ Evaluate(const WallMesh & walls, const JunctionSet & junctions, const LabelVolum
   return EvaluateTissueMesh(walls, junctions, labels, itk::MakeExecution(threader));
 }
 
-/** Our pipeline from the file to VTK, once; `mesh` is what it made. */
+/** Runs the pipeline once, from the file to VTK; `mesh` becomes what it made. */
 Contestant
 RunPipeline(const Options & options, itk::CellWallMesh::Pointer & mesh)
 {
@@ -86,7 +87,7 @@ RunPipeline(const Options & options, itk::CellWallMesh::Pointer & mesh)
   return run;
 }
 
-/** The medians of several runs. */
+/** Runs the pipeline several times, takes the medians of the times, and judges the last mesh. */
 Contestant
 RunOurs(const Options & options)
 {
@@ -126,7 +127,7 @@ Judge(const std::string & name, const PeerMesh & mesh, const JunctionSet & junct
   return peer;
 }
 
-/** A first guess: half the diameter of a cell. */
+/** Guesses the first facet size: half the edge of a cube that has the volume of the mean cell. */
 double
 GuessFacetSize(const JunctionSet & junctions)
 {
@@ -138,11 +139,14 @@ GuessFacetSize(const JunctionSet & junctions)
   return 0.5 * std::cbrt(volume / static_cast<double>(junctions.cells.size() - 1));
 }
 
-/** Mesh_3 at about so many triangles: the facet size is searched in a few runs, unless it is given. */
+/** Runs Mesh_3 so that it makes about `numberOfTriangles`. The facet size is searched in a few runs, unless it is
+ * given: the number of triangles falls by the square of it. */
 Contestant
 RunMesh3(const Options & options, const CellImage * cells, const JunctionSet & junctions, const LabelVolume & volume,
          double numberOfTriangles)
 {
+  // Each run is a whole meshing, and by the square law few are needed. Numbers of triangles within 5 % of the wanted
+  // one make meshes comparable.
   constexpr int    mostRuns = 5;
   constexpr double tolerance = 0.05;
   Mesh3Parameters  parameters = options.mesh3;

@@ -40,7 +40,7 @@ PrintRow(const std::vector<std::string> & columns, std::ostream & os)
   os << "|\n";
 }
 
-/** A number, or "none" for -1: there is nothing of which it could be. */
+/** Writes a number, or "none" for -1, which stands for a mean of nothing. */
 std::string
 FixedOrNone(double value, int digits, double factor = 1.0)
 {
@@ -102,6 +102,7 @@ MakeFiguresOfShape()
 void
 Print(const std::vector<Contestant> & contestants, std::ostream & os)
 {
+  // The names of the contestants come first, then one row for each figure, then the phases in lines of their own.
   std::vector<std::string> row{ "" };
   for (const Contestant & contestant : contestants)
   {
@@ -138,6 +139,7 @@ Print(const std::vector<Contestant> & contestants, std::ostream & os)
 nlohmann::ordered_json
 ToJson(const std::vector<Contestant> & contestants)
 {
+  // Each contestant is an object with the same keys. A mean of nothing, -1, becomes null.
   const auto numberOrNull = [](double value) {
     return value < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
   };

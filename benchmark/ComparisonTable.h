@@ -18,7 +18,7 @@
 
 namespace tissue
 {
-/** One column of the comparison. */
+/** A program that takes part in the comparison, which is one column of it. */
 struct Contestant
 {
   struct Phase
@@ -30,12 +30,13 @@ struct Contestant
   std::string        name;
   ElapsedTime        time;
   std::vector<Phase> phases;
-  /** As the program gives them; those of the evaluation count a wall once. */
+  /** The number of triangles as the program gives them, some programs with every wall twice. The evaluation counts each
+   * wall once. */
   std::size_t          numberOfOutputTriangles = 0;
   TissueMeshEvaluation evaluation;
 };
 
-/** A Markdown table, a row for each figure, then the phases of those that have some. */
+/** Writes a Markdown table with a row for each figure, then the phases of those contestants that have some. */
 void
 Print(const std::vector<Contestant> & contestants, std::ostream & os);
 

@@ -32,7 +32,7 @@ ShareImage(const CellImage * image)
   share->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
   share->SetSpacing(image->GetSpacing().GetDataPointer());
   vtkNew<vtkTypeInt32Array> values;
-  constexpr int             keepWithOwner = 1;
+  constexpr int             keepWithOwner = 1; // VTK's array must not free the image's buffer.
   values->SetArray(const_cast<VertexId *>(image->GetBufferPointer()),
                    static_cast<vtkIdType>(image->GetBufferedRegion().GetNumberOfPixels()),
                    keepWithOwner);
@@ -60,7 +60,10 @@ struct OneSidedTriangle
   VertexId               cell;
 };
 
-/** Fills `points` with the contours' points, those at the same place as one. */
+/** Reads the triangles of the contours, and fills `points` with their points.
+ *
+ * Points at the same place are merged first, as each cell has its own. A triangle's cell is its scalar, or that of its
+ * points where the filter gives only those. */
 std::vector<OneSidedTriangle>
 ReadContours(vtkPolyData * contours, std::vector<Point> & points)
 {
@@ -97,9 +100,10 @@ ReadContours(vtkPolyData * contours, std::vector<Point> & points)
   return triangles;
 }
 
+/** What stands for several cells where a vertex stands for one; vertices are 0 or more. */
 constexpr VertexId SeveralCells = -1;
 
-/** Of each point the only cell that has it, or SeveralCells. */
+/** Finds for each point the only cell that has it, or SeveralCells. */
 std::vector<VertexId>
 FindOnlyCells(const std::vector<OneSidedTriangle> & triangles, std::size_t numberOfPoints)
 {
@@ -114,6 +118,8 @@ FindOnlyCells(const std::vector<OneSidedTriangle> & triangles, std::size_t numbe
   return only;
 }
 
+/** Joins each two triangles of the same points to one between their cells. A triangle without such a partner has the
+ * exterior behind it if no other cell has its points, and a gap otherwise. */
 std::vector<LabelledTriangles::Triangle>
 JoinSides(const std::vector<OneSidedTriangle> & triangles, std::size_t numberOfPoints, VertexId gap)
 {

@@ -17,19 +17,20 @@ namespace tissue
 {
 using LabelImage = itk::Image<std::int32_t, 3>;
 
-/** \throws itk::ExceptionObject where there is no such file, or it is no image that ITK reads. */
+/** Reads a label image. \throws itk::ExceptionObject where there is no such file, or it is not an image that ITK reads.
+ */
 LabelImage::Pointer
 ReadLabels(const std::string & path);
 
-/** With the filter's default parameters. \throws itk::ExceptionObject as the filter does. */
+/** Extracts the junctions with the filter's default parameters. \throws itk::ExceptionObject as the filter does. */
 itk::TissueJunctions::Pointer
 ExtractJunctions(const LabelImage * labels);
 
-/** Labels that are none of the cells become the exterior. */
+/** Makes the image of vertices that the peers are given. Labels that are none of the cells' become the exterior. */
 CellImage::Pointer
 MakeCellImage(const LabelImage * labels, const std::vector<Cell> & cells);
 
-/** The image as the evaluation reads it, in the space of the peers' meshes. */
+/** Makes the volume that the evaluation reads of an image of vertices, in the space of the peers' meshes. */
 LabelVolume
 MakePeerVolume(const CellImage * image);
 } // namespace tissue

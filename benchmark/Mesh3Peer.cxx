@@ -41,7 +41,7 @@ MakeCGALImage(const CellImage * image)
   return CGAL::Image_3(copy);
 }
 
-/** The cell that a tetrahedron is part of. */
+/** Gives the cell that a tetrahedron is part of. */
 VertexId
 SubdomainOf(const Complex & complex, const Triangulation::Cell_handle & cell)
 {
@@ -92,11 +92,11 @@ MeshByMesh3(const CellImage * image, const Mesh3Parameters & parameters)
   namespace named = CGAL::parameters;
   const CGAL::Image_3 labels = MakeCGALImage(image);
   Stopwatch           stopwatch;
-  // A generator of its own: the same mesh each time.
+  // With a random generator of its own the mesh is the same each time.
   CGAL::Random   random(0);
   const Domain   domain = Domain::create_labeled_image_mesh_domain(labels, named::p_rng = &random);
-  constexpr int  facetAngle = 30;
-  constexpr int  cellRadiusEdgeRatio = 3;
+  constexpr int  facetAngle = 30;         // In degrees: with at most this the refinement is sure to end.
+  constexpr int  cellRadiusEdgeRatio = 3; // With more than 2 the refinement is sure to end.
   const Criteria criteria(named::facet_angle = facetAngle,
                           named::facet_size = parameters.facetSize,
                           named::facet_distance = parameters.facetDistance * parameters.facetSize,

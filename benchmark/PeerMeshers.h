@@ -16,27 +16,27 @@ namespace tissue
 {
 /** \brief An image of vertices of the adjacency complex, ExteriorVertex all along its border.
  *
- * Peers are given this, so that they see the cells as we do: one exterior, closed at the border. Their points are
- * measured from the first voxel along the image's own axes; origin and direction change no figure. */
+ * Peers are given this image, so that they see the cells as the pipeline does: with one exterior, closed at the border.
+ * Their points are measured from the first voxel along the image's own axes; origin and direction change no figure. */
 using CellImage = itk::Image<VertexId, 3>;
 
 /** The boundaries of all cells as a peer makes them, and what it took to make them. */
 struct PeerMesh
 {
   LabelledTriangles boundaries;
-  /** Before they were brought into our form. */
+  /** The number of triangles before they became LabelledTriangles. */
   std::size_t numberOfOutputTriangles = 0;
-  /** Of the peer alone, not of bringing its input and output into form. */
+  /** The time of the peer alone, without that of bringing its input and output into form. */
   ElapsedTime time;
 };
 
 struct Mesh3Parameters
 {
-  /** Upper bound of the radius of a facet's surface Delaunay ball, in the image's units. */
+  /** The upper bound of the radius of a facet's surface Delaunay ball, in the image's units. */
   double facetSize = 0.0;
-  /** Upper bound of the distance of a facet's circumcentre to the centre of that ball, in units of facetSize. */
+  /** The upper bound of the distance of a facet's circumcentre to the centre of that ball, in units of facetSize. */
   double facetDistance = 0.1;
-  /** Upper bound of the circumradius of a tetrahedron, in units of facetSize. */
+  /** The upper bound of the circumradius of a tetrahedron, in units of facetSize. */
   double cellSize = 2.0;
 };
 
@@ -53,9 +53,9 @@ enum class LabelContour
   DiscreteFlyingEdges
 };
 
-/** \brief What VTK's filters for label images make of all cells: each cell by itself is contoured against all others.
+/** \brief Runs VTK's filters for label images on all cells; each cell is contoured by itself against all others.
  *
- * The output has every wall twice. Where the triangles of two cells have the same points they become one triangle
+ * Their output has every wall twice. Where the triangles of two cells have the same points they become one triangle
  * between the two; one that has no such partner has the exterior behind it if no other cell has its points, and a gap
  * (the vertex `numberOfVertices`) otherwise. */
 PeerMesh

@@ -4,9 +4,9 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-// The phases of the pipeline on synthetic tissues of growing size, with the default parameters. Cells are of the number
-// of voxels that adjacencies are as hard there as on real tissue: how long the optimization takes depends on it. Times
-// of small tissues are the mean of several, as one may be easier than others.
+// Measures the phases of the pipeline on synthetic tissues of growing size, with the default parameters. Cells have as
+// many voxels as make their adjacencies as hard as those of real tissue, as this is what the time of the optimization
+// depends on. Times of small tissues are the mean of several, as one may be easier than others.
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Geometry/SpatialOrder.h"
 #include "LabelInput.h"
@@ -34,9 +34,9 @@ using namespace tissue;
 LabelImage::Pointer
 MakeTissue(std::int64_t numberOfCells, std::uint64_t seed = 1)
 {
-  constexpr double voxelsPerCell = 4000.0;
+  constexpr double voxelsPerCell = 4000.0; // Adjacencies then are about as hard as those of real tissue.
   using SourceType = itk::SyntheticTissueImageSource<LabelImage>;
-  constexpr unsigned int margin = 2;
+  constexpr unsigned int margin = 2; // In voxels: all cells at the surface have the exterior beside them.
   const double           side = std::cbrt(voxelsPerCell * static_cast<double>(numberOfCells)) + 2 * margin;
   LabelImage::SizeType   size;
   size.Fill(static_cast<itk::SizeValueType>(side));
@@ -51,7 +51,7 @@ MakeTissue(std::int64_t numberOfCells, std::uint64_t seed = 1)
   return source->GetOutput();
 }
 
-/** What the optimization starts from, its vertices in spatial order as in ReconstructTissue(). */
+/** \brief The input of the optimization, its vertices in spatial order as in ReconstructTissue(). */
 struct Tissue
 {
   std::vector<Point>       centers;
@@ -94,7 +94,7 @@ private:
 std::vector<Tissue>
 MakeTissues(std::int64_t numberOfCells)
 {
-  constexpr std::int64_t cellsOfAll = 10000;
+  constexpr std::int64_t cellsOfAll = 10000; // So many cells in all tissues of one size even out easy ones.
   std::vector<Tissue>    tissues;
   do
   {
@@ -118,7 +118,8 @@ ExtractionOfJunctions(benchmark::State & state, const LabelImage * labels)
     extraction->Update();
   }
   const auto numberOfVoxels = static_cast<double>(labels->GetBufferedRegion().GetNumberOfPixels());
-  // Of processor time, so that it is a rate a thread however many there are, and whoever else is at work.
+  // The rate is by processor time, so that it is that of one thread, however many there are and whoever else is at
+  // work.
   state.counters["voxels/s/thread"] = benchmark::Counter(numberOfVoxels, benchmark::Counter::kIsIterationInvariantRate);
 }
 
@@ -163,7 +164,7 @@ Optimization(benchmark::State & state)
   state.SetComplexityN(state.range(0));
 }
 
-/** Wall-clock time, on all processors. */
+/** Measures the time of the fit by the clock, on all processors. */
 void
 FittingOfWalls(benchmark::State & state)
 {

@@ -7,7 +7,8 @@
 #ifndef TissueTessellationVTKBridge_h
 #define TissueTessellationVTKBridge_h
 
-// The results of the module as VTK data: walls, cells with their statistics, and the adjacency complex.
+// These headers make VTK data of the module's results: walls, cells with their statistics, the adjacency complex, and
+// the image's junctions.
 #include "TissueTessellationVTK/Cells.h"
 #include "TissueTessellationVTK/Complex.h"
 #include "TissueTessellationVTK/Junctions.h"

@@ -21,9 +21,9 @@ namespace itk
  * Input: a three-dimensional label image of any integer pixel type. Output: 0 where nothing is marked, 1 in the depth
  * of the exterior, and a number from 2 on in the core of each cell; GetLabels() tells the cells' labels.
  *
- * A voxel's depth is its distance to the nearest voxel, of its own cell too, that has another label beside it; the
- * border of the image bounds nothing. The core of a cell is where the depth is at least CoreDepth times the cell's
- * largest, so every cell has one. The exterior is marked where its depth is more than the margin.
+ * A voxel's depth is its distance to the nearest voxel, of its own cell or another, that has another label beside it.
+ * The border of the image is not such a boundary. The core of a cell is where the depth is at least CoreDepth times the
+ * cell's largest, so every cell has one. The exterior is marked where its depth is more than the margin.
  *
  * Errors (ExceptionObject): no cell at all.
  *
@@ -48,20 +48,20 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(CellCoreImageFilter, ImageToImageFilter);
 
-  /** The exterior's label; 0 never is a cell. Default: 0. */
+  /** The label of the exterior. Label 0 is never a cell either. The default is 0. */
   itkSetMacro(ExteriorLabel, LabelPixelType);
   itkGetConstMacro(ExteriorLabel, LabelPixelType);
 
-  /** Depth of the core over the largest depth of its cell, 0 .. 1; default 0.5. */
+  /** The least depth of a core over the largest depth of its cell, 0 .. 1. The default is 0.5. */
   itkSetClampMacro(CoreDepth, double, 0.0, 1.0);
   itkGetConstMacro(CoreDepth, double);
 
-  /** How far the exterior's marker stays from the cells, over the diameter of the mean cell (of a ball of its volume);
-   * default 0.4. */
+  /** How far the exterior's marker stays from the cells, over the diameter of a ball that has the volume of the mean
+   * cell. The default is 0.4. */
   itkSetClampMacro(ExteriorMargin, double, 0.0, 1e6);
   itkGetConstMacro(ExteriorMargin, double);
 
-  /** The label of the cell of marker m at m - 2. Valid after the update. */
+  /** The labels of the cells; that of marker m is at m - 2. They are valid after the update. */
   const std::vector<tissue::Label> &
   GetLabels() const
   {
@@ -87,6 +87,7 @@ protected:
 private:
   using DistanceImageType = Image<float, 3>;
 
+  /** Computes the depth of each voxel of the output, which must hold the numbers of the cells. */
   typename DistanceImageType::Pointer
   ComputeDepth();
 

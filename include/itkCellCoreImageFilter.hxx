@@ -39,6 +39,7 @@ template <typename TLabelImage>
 auto
 CellCoreImageFilter<TLabelImage>::ComputeDepth() -> typename DistanceImageType::Pointer
 {
+  // Voxels with another number beside them, along an axis, are marked in parallel; the depth is the distance to them.
   using MaskType = Image<unsigned char, 3>;
   const MarkerImageType * cells = this->GetOutput();
   const auto              whole = cells->GetLargestPossibleRegion();
@@ -103,6 +104,7 @@ template <typename TLabelImage>
 void
 CellCoreImageFilter<TLabelImage>::GenerateData()
 {
+  // Number the cells, compute depths, find the least depth of each marker, and take the voxels of less depth off it.
   this->AllocateOutputs();
   MarkerImageType * const output = this->GetOutput();
   const auto              region = output->GetLargestPossibleRegion();
@@ -132,7 +134,8 @@ CellCoreImageFilter<TLabelImage>::GenerateData()
   depthIt.GoToBegin();
   for (ImageRegionIterator<MarkerImageType> it(output, region); !it.IsAtEnd(); ++it, ++depthIt)
   {
-    // The depth is 0 or, with its sign, below where cells are so thin that they are all boundary.
+    // Where cells are so thin that they are all boundary, the signed distance is 0 or less, and stands for a depth of
+    // 0.
     if (std::max(depthIt.Get(), 0.0f) < least[it.Get()])
     {
       it.Set(0);

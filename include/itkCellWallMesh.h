@@ -67,11 +67,11 @@ public:
   SizeValueType
   GetNumberOfTriangles() const;
 
-  /** Cells in the mesh, the exterior not counted. */
+  /** The number of cells in the mesh, the exterior not counted. */
   SizeValueType
   GetNumberOfCells() const;
 
-  /** Coordinates x, y, z of every point. */
+  /** The coordinates x, y, z of every point. */
   CoordinatesContainer::Pointer
   GetPointCoordinates() const;
 
@@ -83,7 +83,8 @@ public:
   LabelsContainer::Pointer
   GetTriangleLabels() const;
 
-  /** Jaccard indices of the optimized complex and the image (paper, section 4.1), 0 .. 1. */
+  /** The Jaccard indices of the adjacencies of two and of four cells in the optimized complex and in the image (paper,
+   * section 4.1), 0 .. 1. */
   double
   GetAdjacency2() const;
 
@@ -91,7 +92,8 @@ public:
   GetAdjacency4() const;
 
 #ifndef ITK_WRAPPING_PARSER
-  /** What was made, and what it was made from, for C++. \throws ExceptionObject where there is none yet. */
+  /** The reconstruction with all that is known of it, its mesh, and the junctions it was made from, for C++.
+   * \throws ExceptionObject where there is none yet. */
   const tissue::TissueReconstruction &
   GetReconstruction() const;
 

@@ -34,14 +34,14 @@ class DifferenceOfGaussiansNeighborhood;
  * A level of the scale space is the difference of the image smoothed by Gaussians of two deviations a step apart,
  * over the step's logarithm: -sigma^2 times the Laplacian at their geometric mean, whose maximum over the scales is a
  * ball's radius over sqrt(3). Deviations are physical, so that every axis is smoothed by its own number of voxels. A
- * voxel that exceeds its 80 neighbours in space and scale is a blob, on the border those that it has;
- * position and scale come from the parabola through them. What is long (tubes, ridges, flat walls) is rejected by the
- * ratio of the Hessian's eigenvalues. Of two blobs that overlap the weaker is dropped.
+ * voxel that exceeds its 80 neighbours in space and scale, of which fewer exist on the border, is a blob. Its position
+ * and scale come from the parabola through these. Long things (tubes, ridges, flat walls) are rejected by the ratio of
+ * the Hessian's eigenvalues. Of two blobs that overlap the weaker is dropped.
  *
- * The smoothed image of a level makes that of the next, by ITK's recursive Gaussian filter, by its discrete one where a
- * deviation is below 0.6 voxels. Once a level is smooth along an axis (two voxels), every other voxel is left out
- * there, as in Lowe's pyramid. Four smoothed images at most are in memory, beside the one that the smoothing works on.
- * The result is the same for any number of threads.
+ * The smoothed image of a level makes that of the next, by ITK's recursive Gaussian filter, or by its discrete one
+ * where a deviation is below 0.6 voxels. Once a level is smooth along an axis, with a deviation of two voxels, every
+ * other voxel is left out there, as in Lowe's pyramid. At most four smoothed images are in memory, beside the one that
+ * the smoothing works on. The result is the same for any number of threads.
  *
  * Exceptions: pixels that are not finite, a constant image, a minimum scale below half a voxel (of the finest axis), a
  * maximum scale below the minimum or above the image's shortest side, one scale without the other. An image without
@@ -61,7 +61,7 @@ public:
   using ConstPointer = SmartPointer<const Self>;
 
   using InputImageType = TInputImage;
-  /** Scale and response. */
+  /** The scale and the response of a blob. */
   using BlobDataType = Vector<double, 2>;
   using OutputType = PointSet<BlobDataType, 3, DefaultStaticMeshTraits<BlobDataType, 3, 3, double>>;
 
@@ -83,52 +83,53 @@ public:
   const OutputType *
   GetOutput() const;
 
-  /** Scales of the smallest and the largest blobs, standard deviations in physical units. Where both are 0, the
-   * default, they are found from the maxima at all scales, from a voxel to a sixth of the image's shortest side
+  /** The scales of the smallest and the largest blobs, which are standard deviations in physical units. Where both are
+   * 0, the default, they are found from the maxima at all scales, from a voxel to a sixth of the image's shortest side
    * (tissue::ChooseBlobScales). */
   itkSetMacro(MinimumScale, double);
   itkGetConstMacro(MinimumScale, double);
   itkSetMacro(MaximumScale, double);
   itkGetConstMacro(MaximumScale, double);
 
-  /** Levels for each doubling of the scale; default 4, at least 1. */
+  /** The number of levels for each doubling of the scale, at least 1. The default is 4. */
   itkSetClampMacro(StepsPerOctave, unsigned int, 1, 64);
   itkGetConstMacro(StepsPerOctave, unsigned int);
 
-  /** Blobs brighter than their surroundings, or darker; default: bright. */
+  /** Tells whether blobs are darker than their surroundings instead of brighter. The default is off. */
   itkSetMacro(DarkBlobs, bool);
   itkGetConstMacro(DarkBlobs, bool);
   itkBooleanMacro(DarkBlobs);
 
-  /** Least response of a blob, in units of the image; where it is not positive, RelativeThreshold rules. Default 0. */
+  /** The least response of a blob, in units of the image. Where it is not positive, RelativeThreshold rules. The
+   * default is 0. */
   itkSetMacro(Threshold, double);
   itkGetConstMacro(Threshold, double);
 
-  /** Least response relative to the greatest, below 1; where it is not positive, found from the responses of all maxima
-   * (tissue::ChooseBlobThreshold). Default 0. */
+  /** The least response of a blob relative to the greatest, below 1. Where it is not positive, the threshold is found
+   * from the responses of all maxima (tissue::ChooseBlobThreshold). The default is 0. */
   itkSetMacro(RelativeThreshold, double);
   itkGetConstMacro(RelativeThreshold, double);
 
-  /** The greatest share of the smaller of two balls that they may have in common, 0 .. 1, where 1 keeps all. Default
-   * 0.5. */
+  /** The greatest share of the smaller of two balls that they may have in common, 0 .. 1, where 1 keeps all blobs. The
+   * default is 0.5. */
   itkSetClampMacro(MaximumOverlap, double, 0.0, 1.0);
   itkGetConstMacro(MaximumOverlap, double);
 
-  /** The greatest ratio of two eigenvalues of the Hessian at a blob; 0 keeps all. Default 10. */
+  /** The greatest ratio of two eigenvalues of the Hessian at a blob; 0 keeps all blobs. The default is 10. */
   itkSetMacro(MaximumHessianRatio, double);
   itkGetConstMacro(MaximumHessianRatio, double);
 
-  /** Blobs nearer than this to the image's border, in physical units, are left out. Default 0. */
+  /** Blobs nearer than this to the image's border, in physical units, are left out. The default is 0. */
   itkSetMacro(BorderMargin, double);
   itkGetConstMacro(BorderMargin, double);
 
-  /** The response that was the least, and the range of the scales; valid after the update. */
+  /** The threshold of the response and the range of the scales that were used. They are valid after the update. */
   itkGetConstMacro(UsedThreshold, double);
   itkGetConstMacro(UsedMinimumScale, double);
   itkGetConstMacro(UsedMaximumScale, double);
 
-  /** Scale and response of every blob, a copy of the output's point data as one flat array; valid after the update. In
-   * Python it becomes a NumPy array:
+  /** The scale and response of every blob, a copy of the output's point data as one flat array, which is valid after
+   * the update. In Python it becomes a NumPy array:
    *
    *     points = itk.array_from_vector_container(filter.GetOutput().GetPoints())
    *     scales, responses = itk.array_from_vector_container(filter.GetBlobData()).reshape(-1, 2).T */
@@ -146,7 +147,7 @@ protected:
   void
   VerifyPreconditions() ITKv5_CONST override;
 
-  /** A set of points has nothing of the image's. */
+  /** Does nothing, as a set of points takes over no information of the image. */
   void
   GenerateOutputInformation() override
   {}
@@ -160,11 +161,11 @@ protected:
 private:
   using RealImageType = Image<float, 3>;
   using RealImagePointer = typename RealImageType::Pointer;
-  /** Smoothed images in a row: three levels of the scale space are their differences. */
+  /** Four smoothed images in a row, whose differences are three levels of the scale space. */
   using Window = std::array<RealImagePointer, 4>;
   using IndexType = typename RealImageType::IndexType;
 
-  /** A copy, in which blobs are bright. */
+  /** Copies the input to an image in which blobs are bright. */
   RealImagePointer
   ConvertInput() const;
 
@@ -174,8 +175,8 @@ private:
   RealImagePointer
   Apply(ImageToImageFilter<RealImageType, RealImageType> * filter, const RealImageType * image) const;
 
-  /** Takes every other voxel of the axes along which images of this deviation are smooth; false where there are none.
-   */
+  /** Leaves out every other voxel along the axes where images of this deviation are smooth. Returns false where there
+   * is no such axis. */
   bool
   HalveWhereSmooth(Window & window, double deviation) const;
   static RealImagePointer
@@ -198,7 +199,7 @@ private:
   void
   CollectMaxima(const Window & window, double scale, double step, std::vector<tissue::Blob> & blobs);
 
-  /** False for what is no blob. */
+  /** Fits the parabola to a maximum and makes a blob of it. Returns false where it is not one. */
   bool
   FitBlob(const RealImageType * image, const DifferenceOfGaussiansNeighborhood & difference, const IndexType & index,
           double scale, double step, tissue::Blob & blob) const;

@@ -28,8 +28,8 @@
 
 namespace itk
 {
-/** The difference of smoothed images around a voxel, in steps of voxels and levels; beyond the border of the image it
- * is what it is on the border, as the Gaussian filters have it. */
+/** \brief The difference of smoothed images around a voxel, in steps of voxels and levels. Beyond the border of the
+ * image it goes on as it is on the border, as in the Gaussian filters. */
 class DifferenceOfGaussiansNeighborhood
 {
 public:
@@ -52,7 +52,7 @@ public:
     }
   }
 
-  /** Whether a step of one leaves the image. */
+  /** Tells whether a step of one leaves the image. */
   bool
   Leaves(std::size_t axis, int step) const
   {
@@ -71,7 +71,7 @@ public:
     return m_Voxels[level][offset] - m_Voxels[level + 1][offset];
   }
 
-  /** Whether the middle is above its 80 neighbours; of equal ones the first in raster order is. */
+  /** Tells whether the middle is above its 80 neighbours. Of equal ones the first in raster order is. */
   bool
   IsMaximum() const
   {
@@ -195,6 +195,7 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GetSearchedScales() const
   }
   if (!this->HasScales())
   {
+    // The ball that answers at this scale is already more than half as wide as the shortest side.
     constexpr double largestShare = 1.0 / 6.0;
     return { finest, std::max(finest, largestShare * shortest) };
   }
@@ -247,7 +248,8 @@ auto
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::Smooth(RealImagePointer image, double deviation)
   -> RealImagePointer
 {
-  // The recursive filter takes the same time for any deviation, but is wrong for those below a voxel.
+  // The recursive filter takes the same time for any deviation, but is not accurate for those far below a voxel, and
+  // needs four voxels along its axis. Both bounds are in voxels.
   constexpr double        leastRecursive = 0.6;
   constexpr SizeValueType leastSize = 4;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -292,6 +294,8 @@ template <typename TInputImage>
 bool
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::HalveWhereSmooth(Window & window, double deviation) const
 {
+  // With a deviation of two voxels one of a coarse voxel is left, and half of eight voxels still are enough for the
+  // recursive filter.
   constexpr double        enough = 2.0;
   constexpr SizeValueType leastSize = 8;
   const auto              fine = window[3];
@@ -369,11 +373,13 @@ template <typename TInputImage>
 std::vector<tissue::Blob>
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::BlobScaleRange & scales)
 {
+  // Smooth image after image, each from the one before, and keep the last four: the maxima of the middle one of their
+  // three differences are collected.
   const double step = std::pow(2.0, 1.0 / m_StepsPerOctave);
   const auto   numberOfLevels =
     1 + static_cast<unsigned int>(std::ceil(m_StepsPerOctave * std::log2(scales.maximum / scales.minimum) - 1e-9));
   const unsigned int numberOfImages = numberOfLevels + 3;
-  // Levels are at the geometric means of their two deviations; one level more on each side shows what is a maximum.
+  // Levels are at the geometric means of their two deviations. One level more on each side shows what is a maximum.
   double                    deviation = scales.minimum / std::pow(step, 1.5);
   std::vector<tissue::Blob> blobs;
   Window                    window;
@@ -390,8 +396,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::
     {
       this->CollectMaxima(window, scale, step, blobs);
     }
-    // What is between two levels may look like a maximum of either one in fine voxels and of the other in coarse ones:
-    // it is looked for in both.
+    // A blob between two levels may look like a maximum of one in fine voxels and of the other in coarse ones. So it is
+    // looked for in both.
     if (this->HalveWhereSmooth(window, deviation / (step * step)) && i >= 3)
     {
       this->CollectMaxima(window, scale, step, blobs);
@@ -405,6 +411,7 @@ void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::CollectMaxima(const Window & window, double scale, double step,
                                                                      std::vector<tissue::Blob> & blobs)
 {
+  // Only voxels where the difference is positive can be blobs. Each region collects its own; then they are joined.
   std::mutex     mutex;
   WorkUnitErrors errors;
   const auto     collect = [&](const RealImageType::RegionType & region) {
@@ -440,6 +447,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FitBlob(const RealImageTy
                                                                const IndexType & index, double scale, double step,
                                                                tissue::Blob & blob) const
 {
+  // The gradient and the Hessian, by central differences along x, y, z and scale, give the parabola through the
+  // neighbours. Its top is -H^-1 g off the middle; the response is the parabola's there.
   using Step = DifferenceOfGaussiansNeighborhood::Step;
   const double                   middle = difference(Step{ { 0, 0, 0, 0 } });
   vnl_vector_fixed<double, 4>    gradient;
@@ -468,14 +477,15 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FitBlob(const RealImageTy
     return false;
   }
 
-  // Where the four-dimensional parabola leads away, those along the axes stay near.
+  // Where the top of the four-dimensional parabola is too far to be trusted, those along the single axes are taken,
+  // which are half a step off at most. Steps are voxels and levels.
   constexpr double            farthest = 0.75;
   const auto                  solution = vnl_svd<double>(hessian.as_matrix()).solve(-gradient.as_vector());
   vnl_vector_fixed<double, 4> offset;
   const bool isNear = std::all_of(solution.begin(), solution.end(), [](double x) { return std::abs(x) <= farthest; });
   for (unsigned int i = 0; i < 4; ++i)
   {
-    // Nothing tells how far beyond the border one goes on.
+    // On the border nothing tells on which side of the voxel's centre the top is.
     const bool isOnBorder = i < 3 && (difference.Leaves(i, -1) || difference.Leaves(i, 1));
     offset[i] = isOnBorder            ? 0.0
                 : isNear              ? solution[i]
@@ -512,7 +522,7 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::IsRound(
       physical(i, j) = hessian(i, j) / (spacing[i] * spacing[j]);
     }
   }
-  // Ascending: of a blob all are negative, and the last is the weakest.
+  // The eigenvalues ascend. Those of a blob are all negative, and the last is the weakest.
   const vnl_symmetric_eigensystem<double> eigen(physical);
   return eigen.D(2, 2) < 0.0 && eigen.D(0, 0) >= m_MaximumHessianRatio * eigen.D(2, 2);
 }
@@ -541,7 +551,7 @@ template <typename TInputImage>
 std::vector<tissue::Blob>
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::SelectBlobs(std::vector<tissue::Blob> blobs)
 {
-  // A weaker one never drops a stronger one, so that the threshold may come after.
+  // A weaker blob never drops a stronger one, so that the threshold may come after this.
   blobs = tissue::RemoveOverlappingBlobs(std::move(blobs), m_MaximumOverlap);
   if (m_Threshold > 0.0)
   {

@@ -45,7 +45,7 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(EnclosedVoidImageFilter, ImageToImageFilter);
 
-  /** The labels that are the exterior. Must outlive the update; required. */
+  /** Sets the labels that are the exterior. They are required, and must outlive the update. */
   void
   SetExteriorLabels(const tissue::ExteriorLabels * exterior)
   {
@@ -53,11 +53,12 @@ public:
     this->Modified();
   }
 
-  /** Default: 4. */
+  /** The least number of cells at the faces of an enclosed void. The default is 4, as many as a vertex of a closed
+   * complex must have. */
   itkSetMacro(MinimumNumberOfNeighbors, SizeValueType);
   itkGetConstMacro(MinimumNumberOfNeighbors, SizeValueType);
 
-  /** Valid after the update. */
+  /** The number of enclosed voids that were found. It is valid after the update. */
   itkGetConstMacro(NumberOfVoids, std::uint32_t);
 
 protected:
@@ -77,10 +78,11 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  /** Numbers the face-connected pieces of the exterior. */
   typename VoidImageType::Pointer
   ConnectExterior() const;
 
-  /** Of each piece of the exterior the labels of the cells at its faces; of one on the border none. */
+  /** Finds for each piece of the exterior the labels of the cells at its faces, and none for a piece on the border. */
   std::vector<std::set<typename LabelImageType::PixelType>>
   FindNeighbors(const VoidImageType * pieces) const;
 

@@ -60,6 +60,8 @@ auto
 EnclosedVoidImageFilter<TLabelImage>::FindNeighbors(const VoidImageType * pieces) const
   -> std::vector<std::set<typename LabelImageType::PixelType>>
 {
+  // One pass over the voxels of all pieces. A piece with a voxel on the border is open; for the others the labels of
+  // the voxels beside theirs are collected. A voxel beside a piece that is in no piece is a cell's.
   using PixelType = typename LabelImageType::PixelType;
   const auto            region = pieces->GetLargestPossibleRegion();
   const auto            size = region.GetSize();
@@ -124,7 +126,7 @@ EnclosedVoidImageFilter<TLabelImage>::GenerateData()
   }
   const typename VoidImageType::Pointer pieces = this->ConnectExterior();
   const auto                            neighbors = this->FindNeighbors(pieces);
-  // In the order of the first voxels, whatever the order of the pieces.
+  // Numbers go by the order of the voids' first voxels, whatever the order of the pieces.
   std::vector<std::uint32_t> numbers(neighbors.size(), 0);
   m_NumberOfVoids = 0;
   for (ImageRegionIterator<VoidImageType> it(pieces, pieces->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)

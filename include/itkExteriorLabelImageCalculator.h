@@ -18,7 +18,7 @@ namespace itk
 /** \class ExteriorLabelImageCalculator
  * \brief Guesses which label of a segmented image stands for the exterior of the tissue.
  *
- * Label 0 is taken for background in any case; in question is whether another label is the exterior, as 1 is in the
+ * Label 0 is taken for background in any case. The question is whether another label is the exterior, as 1 is in the
  * images of MARS and DRACO-STEM. Lines of sight enter the image from its border, along the axes, at no more than 32 x
  * 32 points of each of its six sides, pass through label 0, and end at the first other label. The label seen most often
  * is the exterior if
@@ -49,7 +49,9 @@ public:
 
   itkSetConstObjectMacro(Image, LabelImageType);
 
-  /** Label 0 is a cell like others: it ends a line of sight, and is not the exterior. Default: off. */
+  /** Tells whether label 0 is a cell like others, which ends a line of sight and is not the exterior. The default is
+   * off.
+   */
   itkSetMacro(ZeroIsCell, bool);
   itkGetConstMacro(ZeroIsCell, bool);
   itkBooleanMacro(ZeroIsCell);
@@ -57,9 +59,9 @@ public:
   void
   Compute();
 
-  /** Whether a label other than 0 was found to be the exterior. */
+  /** Tells whether a label other than 0 was found to be the exterior. */
   itkGetConstMacro(HasExteriorLabel, bool);
-  /** That label; 0 if there is none. */
+  /** The label that was found to be the exterior; 0 if there is none. */
   itkGetConstMacro(ExteriorLabel, tissue::Label);
 
 protected:
@@ -70,7 +72,7 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  /** What the lines of sight met. */
+  /** The numbers of lines of sight: by the label that they met, all, and those that began in label 0. */
   struct Sights
   {
     std::map<tissue::Label, SizeValueType> numberByLabel;

@@ -45,6 +45,7 @@ template <typename TLabelImage>
 void
 ExteriorLabelImageCalculator<TLabelImage>::LookAlong(unsigned int axis, Sights & sights) const
 {
+  // A thousand lines on a side tell shares of an eighth well, and take little time in large images.
   constexpr SizeValueType pointsPerAxis = 32;
 
   const auto            region = m_Image->GetLargestPossibleRegion();

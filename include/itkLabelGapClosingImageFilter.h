@@ -21,9 +21,9 @@ namespace itk
  * - the morphological closing of all cells by a ball holds it, or it is in a void that this closing encloses and that
  * is nowhere farther than the gap width from a cell; and
  * - two cells at least are within the gap width of it.
- * It gets the label of the nearest cell, of cells as near the smallest label. The exterior thus stays what it is but
- * for clefts between two cells that are narrower than the gap width. Distances are Euclidean, between the centres of
- * voxels, in physical units; gap widths hold to within one voxel.
+ * It gets the label of the nearest cell, and the smallest label of several cells that are equally near. The exterior
+ * thus stays as it is except for clefts between two cells that are narrower than the gap width. Distances are
+ * Euclidean, between the centres of voxels, in physical units; gap widths hold to within one voxel.
  *
  * Input: three-dimensional, any integer pixel type and spacing. Holds a few images of four bytes a voxel as it works.
  *
@@ -51,23 +51,24 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(LabelGapClosingImageFilter, ImageToImageFilter);
 
-  /** The label that is no cell: of the walls and of the exterior. Default: 0. */
+  /** The label of the walls and of the exterior, which is not a cell's. The default is 0. */
   itkSetMacro(BackgroundLabel, LabelPixelType);
   itkGetConstMacro(BackgroundLabel, LabelPixelType);
 
-  /** Width of the widest gap to close, in physical units. Default: 0, which stands for automatic: twice the median
-   * length of the runs of background between two different cells along the axes of the image, of those no longer than
-   * half the diameter of the mean cell. */
+  /** The width of the widest gap to close, in physical units. The default, 0, stands for an automatic width. That is
+   * twice the median length of the runs of background between two different cells along the axes of the image; only
+   * runs up to half the diameter of the mean cell are counted. */
   itkSetMacro(GapWidth, double);
   itkGetConstMacro(GapWidth, double);
 
-  /** After the update: the gap width that was used, 0 if it was automatic and there is no gap. */
+  /** The gap width that was used, which is 0 if it was automatic and there is no gap. It is valid after the update. */
   itkGetConstMacro(UsedGapWidth, double);
 
-  /** After the update: voxels of background that became voxels of a cell. */
+  /** The number of voxels of background that became voxels of a cell. It is valid after the update. */
   itkGetConstMacro(NumberOfChangedVoxels, SizeValueType);
 
-  /** After the update: the largest distance of such a voxel to the nearest voxel its cell had before. */
+  /** The largest distance of a voxel that became one of a cell to the nearest voxel that this cell had before. It is
+   * valid after the update. */
   itkGetConstMacro(LargestDistance, double);
 
 protected:
@@ -97,7 +98,7 @@ private:
     double                              distance;
   };
 
-  /** The cell nearest to a voxel, and whether there is a second one: number is 0, 1 or 2. */
+  /** The cell nearest to a voxel and its distance. The number of cells is 2 where there are more. */
   struct NearestCells
   {
     LabelPixelType nearest;
@@ -105,7 +106,7 @@ private:
     int            number;
   };
 
-  /** The automatic gap width. */
+  /** Computes the automatic gap width. */
   double
   EstimateGapWidth() const;
 
@@ -115,18 +116,21 @@ private:
   void
   CollectGapLengths(unsigned int axis, double limit, std::vector<double> & lengths) const;
 
-  /** The closing of all cells, and the narrow voids it encloses. */
+  /** Computes the closing of all cells together with the narrow voids it encloses. */
   MaskPointer
   ComputeGapMask(double radius);
 
-  /** The mask and the voids in it that are nowhere farther than the gap width from a cell. */
+  /** Adds to the mask the voids in it that are nowhere farther than the gap width from a cell. */
   MaskPointer
   AddNarrowVoids(const MaskType * mask, const DistanceType * cellDistance) const;
 
-  /** The voxels around a voxel up to a distance, the nearest first. */
+  /** Lists the voxels around a voxel up to a distance, the nearest first. */
   std::vector<Neighbour>
   ComputeNeighbours(double radius) const;
 
+  /** Looks around a voxel for the nearest cell, and on until there is a second one and no other is as near as the
+   * first.
+   */
   NearestCells
   FindNearestCells(const IndexType & index, const std::vector<Neighbour> & neighbours) const;
 

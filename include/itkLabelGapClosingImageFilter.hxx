@@ -159,8 +159,8 @@ LabelGapClosingImageFilter<TLabelImage>::ComputeGapMask(double radius) -> MaskPo
   cellDistance->SetInput(this->GetInput());
   cellDistance->SetBackgroundValue(m_BackgroundLabel);
   cellDistance->SetSquaredDistance(false);
-  // The dilation is where the first distance is at most the radius; its erosion, where the distance to what is left is
-  // more than that.
+  // The dilation is where the distance to the cells is at most the radius. Its erosion, the closing, is where the
+  // distance to what the dilation leaves out is more than the radius.
   threshold->SetInput(cellDistance->GetOutput());
   threshold->SetUpperThreshold(static_cast<float>(radius));
   threshold->SetInsideValue(0);
@@ -240,6 +240,7 @@ template <typename TLabelImage>
 void
 LabelGapClosingImageFilter<TLabelImage>::GrowCells(const MaskType * mask, double radius)
 {
+  // Each voxel of the mask looks for its nearest cells in the input, so that the result does not depend on the order.
   const LabelImageType *       input = this->GetInput();
   const auto                   imageRegion = input->GetLargestPossibleRegion();
   const std::vector<Neighbour> neighbours = this->ComputeNeighbours(radius);

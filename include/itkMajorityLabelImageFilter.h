@@ -19,10 +19,10 @@ namespace itk
  * \brief Gives every voxel of a 3-D label image the label of the greatest weight in its 3x3x3 neighbourhood.
  *
  * Weights are binomial: 8 for the voxel itself, and half as much for each step along an axis. Among equals the voxel's
- * own label wins, else the least. Beyond its border the image goes on as it is there.
+ * own label wins, or else the least. Beyond its border the image goes on as it is on the border.
  *
- * Smooths all boundaries between labels, none of them favoured, by less than a voxel; several passes smooth more. Thin
- * labels may be broken up, small ones may vanish; other labels may not appear.
+ * The filter smooths all boundaries between labels by less than a voxel and favours none of them; several passes smooth
+ * more. Thin labels may be broken up, and small ones may vanish; no new label appears.
  *
  * \ingroup MultiThreaded TissueTessellation */
 template <typename TImage>
@@ -58,7 +58,8 @@ protected:
   DynamicThreadedGenerateData(const RegionType & region) override;
 
 private:
-  /** The nine rows of the neighbourhood, the voxel's own the fifth, from the first voxel of the input's buffer on. */
+  /** The nine rows of the neighbourhood, the voxel's own as the fifth. Each begins at the start of the input's buffer.
+   */
   using RowsType = std::array<const PixelType *, 9>;
 
   RowsType

@@ -59,6 +59,8 @@ auto
 MajorityLabelImageFilter<TImage>::FindMajority(const RowsType & rows, SizeValueType before, SizeValueType x,
                                                SizeValueType after) -> PixelType
 {
+  // Each of the 27 voxels votes for its label, in a list of labels with their weights. Weights of rows are the products
+  // of 1, 2, 1 along y and z; along x the middle voxel counts twice.
   constexpr int                             rowWeights[9] = { 1, 2, 1, 2, 4, 2, 1, 2, 1 };
   std::array<std::pair<PixelType, int>, 27> votes;
   auto                                      end = votes.begin();
@@ -106,7 +108,8 @@ MajorityLabelImageFilter<TImage>::DynamicThreadedGenerateData(const RegionType &
   {
     const RowsType    rows = this->GetRows(it.GetIndex());
     const PixelType * own = rows[4];
-    // Whole rows at once: most voxels are far from any boundary, and this loop is vectorized.
+    // Columns in which the nine rows differ are marked first. Most voxels are far from any boundary, and this loop over
+    // whole rows is vectorized.
     std::fill(isMixed.begin(), isMixed.end(), 0);
     for (const PixelType * row : rows)
     {

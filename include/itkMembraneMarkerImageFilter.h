@@ -20,11 +20,12 @@ namespace itk
  * a number from 2 on at each minimum of the smoothed image that is at least MinimumDepth deep, in raster order of their
  * first voxels.
  *
- * The exterior is the opening, by a ball of twice the cells' diameter, of what is dark in the smoothed image (by Otsu's
- * threshold): no cell is as large. The diameter is that of a ball as large as the median basin of the minima. The
- * exterior's marker stays ExteriorMargin away from its boundary; an image without such a place has no exterior.
+ * The exterior is the opening of the dark part of the smoothed image (by Otsu's threshold) by a ball of twice the
+ * cells' diameter, which is larger than any cell. The cells' diameter is that of a ball as large as the median basin of
+ * the minima. The exterior's marker stays ExteriorMargin away from its boundary; an image without such a place has no
+ * exterior.
  *
- * Errors (ExceptionObject): a pixel that is no finite number, an image of one value.
+ * Errors (ExceptionObject): a pixel that is not a finite number, an image of one value.
  *
  * \sa MembraneToTissueLabelImageFilter
  * \ingroup TissueTessellation
@@ -45,23 +46,26 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(MembraneMarkerImageFilter, ImageToImageFilter);
 
-  /** Standard deviation of the smoothing, in physical units; 0: the edge of the cube of a voxel's volume. Default: 0.
-   */
+  /** The standard deviation of the smoothing, in physical units. 0, the default, stands for the edge of a cube that has
+   * the volume of a voxel. */
   itkSetClampMacro(Sigma, double, 0.0, NumericTraits<double>::max());
   itkGetConstMacro(Sigma, double);
 
-  /** Of the minima, over the range of the intensities of the smoothed image, 0 .. 1; default 0.015. */
+  /** The least depth of a minimum, over the range of the intensities of the smoothed image, 0 .. 1. The default is
+   * 0.015.
+   */
   itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
   itkGetConstMacro(MinimumDepth, double);
 
-  /** Over the cells' diameter; default 0.25. */
+  /** How far the exterior's marker stays from the exterior's boundary, over the cells' diameter. The default is 0.25.
+   */
   itkSetClampMacro(ExteriorMargin, double, 0.0, 1e6);
   itkGetConstMacro(ExteriorMargin, double);
 
-  /** Minima, the exterior not counted. Valid after the update. */
+  /** The number of minima that mark cells. It is valid after the update. */
   itkGetConstMacro(NumberOfCells, SizeValueType);
 
-  /** Whether an exterior was found. Valid after the update. */
+  /** Tells whether an exterior was found. It is valid after the update. */
   itkGetConstMacro(HasExterior, bool);
 
 protected:
@@ -88,18 +92,20 @@ private:
   typename MarkerImageType::Pointer
   FindMinima(const LevelImageType * levels) const;
 
+  /** Floods the image from its minima, and gives the diameter of a ball as large as the median basin. */
   double
   EstimateCellDiameter(const LevelImageType * levels, const MarkerImageType * minima) const;
 
-  /** Distance to the mask, of its own voxels 0 or less. */
+  /** Computes the distance to the mask, which is 0 or less in the mask. */
   typename DistanceImageType::Pointer
   ComputeDistance(const MaskImageType * mask) const;
 
-  /** Distance to the centres of the balls of this radius without a bright voxel; large where there is no such ball. */
+  /** Computes the distance to the centres of the balls of this radius that hold no bright voxel. It is large everywhere
+   * if there is no such ball. */
   typename DistanceImageType::Pointer
   ComputeDistanceToEmptiness(const LevelImageType * levels, double radius) const;
 
-  /** Puts the markers in order; a minimum within `radius` of emptiness is none. */
+  /** Numbers the markers in raster order. A minimum within `radius` of emptiness does not mark a cell. */
   void
   WriteMarkers(const MarkerImageType * minima, const DistanceImageType * toEmptiness, double radius, double margin);
 

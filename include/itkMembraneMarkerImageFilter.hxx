@@ -79,7 +79,7 @@ MembraneMarkerImageFilter<TMembraneImage>::EstimateCellDiameter(const LevelImage
     sizes.resize(std::max<std::size_t>(sizes.size(), it.Get() + 1));
     ++sizes[it.Get()];
   }
-  // The first is of what no basin reaches: nothing, if there is a basin.
+  // The first size is that of the voxels that no basin reaches, of which there are none if there is a basin.
   if (sizes.size() < 2)
   {
     return 0.0;
@@ -131,6 +131,8 @@ MembraneMarkerImageFilter<TMembraneImage>::WriteMarkers(const MarkerImageType * 
                                                         const DistanceImageType * toEmptiness, double radius,
                                                         double margin)
 {
+  // A minimum is a cell's if one of its voxels is far enough from emptiness. A second pass numbers these by their first
+  // voxels, and marks as exterior what is nearer to emptiness than the radius less the margin.
   MarkerImageType * const output = this->GetOutput();
   const auto              region = output->GetLargestPossibleRegion();
 

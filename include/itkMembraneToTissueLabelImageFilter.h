@@ -15,7 +15,7 @@
 namespace itk
 {
 /** \class MembraneToTissueLabelImageFilter
- * \brief From an image of bright cell membranes to the label image of its cells, by a watershed from markers.
+ * \brief Makes the label image of the cells from an image of bright cell membranes, by a watershed from markers.
  *
  * The mini-pipeline:
  *
@@ -31,8 +31,8 @@ namespace itk
  *
  * Output: on the grid of the membrane image; every voxel is a cell's or the exterior's.
  *
- * Errors (ExceptionObject): a pixel that is no finite number, with its place; an image of one value; no cell; cells of
- * the cell image that lie outside of the membrane image; more cells than the output's pixel type can number.
+ * Errors (ExceptionObject): a pixel that is not a finite number, with its place; an image of one value; no cell; cells
+ * of the cell image that lie outside of the membrane image; more cells than the output's pixel type can number.
  *
  * \sa CellCoreImageFilter MembraneMarkerImageFilter MorphologicalWatershedFromMarkersImageFilter
  * \ingroup TissueTessellation
@@ -55,35 +55,37 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(MembraneToTissueLabelImageFilter, ImageToImageFilter);
 
-  /** Where the cells are, about; optional. */
+  /** Sets the label image that tells about where the cells are. It is optional. */
   void
   SetCellImage(const LabelImageType * cells);
 
   const LabelImageType *
   GetCellImage() const;
 
-  /** Of the cell image and of the output; default 0. */
+  /** The label of the exterior in the cell image and in the output. The default is 0. */
   itkSetMacro(ExteriorLabel, LabelPixelType);
   itkGetConstMacro(ExteriorLabel, LabelPixelType);
 
-  /** Standard deviation of the smoothing of what is flooded, in physical units; default 0: none. */
+  /** The standard deviation of the smoothing of the image that is flooded, in physical units. 0, the default, stands
+   * for no smoothing. */
   itkSetClampMacro(Sigma, double, 0.0, NumericTraits<double>::max());
   itkGetConstMacro(Sigma, double);
 
-  /** See CellCoreImageFilter; default 0.5. */
+  /** The least depth of a core over the largest depth of its cell (CellCoreImageFilter). The default is 0.5. */
   itkSetClampMacro(CoreDepth, double, 0.0, 1.0);
   itkGetConstMacro(CoreDepth, double);
 
-  /** See MembraneMarkerImageFilter: of the minima that are the markers without a cell image; default 0: by the voxels.
-   */
+  /** The standard deviation of the smoothing before minima are looked for, in physical units, where there is no cell
+   * image (MembraneMarkerImageFilter::SetSigma()). 0, the default, stands for the edge of a voxel. */
   itkSetClampMacro(MarkerSigma, double, 0.0, NumericTraits<double>::max());
   itkGetConstMacro(MarkerSigma, double);
 
-  /** See MembraneMarkerImageFilter; default 0.015. */
+  /** The least depth of a minimum over the range of the intensities (MembraneMarkerImageFilter). The default is 0.015.
+   */
   itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
   itkGetConstMacro(MinimumDepth, double);
 
-  /** Valid after the update. */
+  /** The number of cells in the output. It is valid after the update. */
   itkGetConstMacro(NumberOfCells, SizeValueType);
 
 protected:
@@ -109,10 +111,11 @@ protected:
 private:
   using MarkerImageType = Image<std::uint32_t, 3>;
 
+  /** Brings the cell image to the grid of the membrane image. Throws where a cell is lost by it. */
   typename LabelImageType::Pointer
   ResampleCells();
 
-  /** Sets the labels of the markers too: the first are of none and of the exterior. */
+  /** Makes the markers, and sets their labels. Both no marker and the exterior's marker have the exterior's label. */
   typename MarkerImageType::Pointer
   MakeMarkers(std::vector<LabelPixelType> & labels);
 

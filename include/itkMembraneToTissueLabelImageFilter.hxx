@@ -68,6 +68,7 @@ template <typename TMembraneImage, typename TLabelImage>
 auto
 MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::ResampleCells() -> typename LabelImageType::Pointer
 {
+  // Labels that are in the cell image but not in its resampled copy belong to cells that would be lost.
   const LabelImageType * cells = this->GetCellImage();
   const auto             resample = ResampleImageFilter<LabelImageType, LabelImageType>::New();
   resample->SetInput(cells);
@@ -161,7 +162,7 @@ template <typename TMembraneImage, typename TLabelImage>
 void
 MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::GenerateData()
 {
-  constexpr float markerShare = 0.3f;
+  constexpr float markerShare = 0.3f; // The markers have this part of the progress.
 
   const MembraneImageType * input = this->GetInput();
   RequireVaryingFinitePixels(input);

@@ -21,12 +21,13 @@ namespace itk
 /** \class MergeLabelFragmentsImageFilter
  * \brief Makes every label of a 3-D label image one 6-connected piece, with no voxel left over.
  *
- * Each label keeps its largest piece, of several the first in raster order. Its other pieces go to the label, cell or
- * exterior, that they share the most voxel faces with, of several to the least. The exterior is different: it keeps all
- * pieces that touch the image's border and no others, so its voids are filled.
+ * Each label keeps its largest piece; of equally large ones it keeps the first in raster order. Each of its other
+ * pieces goes to the label, of a cell or the exterior, with which it shares the most voxel faces; of equals to the
+ * least. The exterior is different: it keeps all pieces that touch the image's border and no others, so its voids are
+ * filled.
  *
- * No label vanishes, but for an exterior off the border. Works on the whole image, by runs of voxels: time and memory
- * are those of reading the image and of its number of runs.
+ * No label vanishes, except that of an exterior off the border. The filter works on the whole image, by runs of voxels:
+ * its time and memory are those of reading the image and of its number of runs.
  *
  * \ingroup TissueTessellation */
 template <typename TImage>
@@ -50,11 +51,11 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(MergeLabelFragmentsImageFilter, InPlaceImageFilter);
 
-  /** Default 0. */
+  /** The label of the exterior. The default is 0. */
   itkSetMacro(ExteriorLabel, PixelType);
   itkGetConstMacro(ExteriorLabel, PixelType);
 
-  /** Of the last update: the voxels whose label changed. */
+  /** The number of voxels whose label changed in the last update. */
   itkGetConstMacro(NumberOfChangedVoxels, SizeValueType);
 
 protected:
@@ -73,6 +74,7 @@ protected:
   GenerateData() override;
 
 private:
+  /** Finds the runs of equal labels in the rows of the input. */
   tissue::LabelRuns
   FindRuns();
 

@@ -20,19 +20,20 @@ namespace itk
 /** \class PointSetToTissueLabelImageFilter
  * \brief Makes the label image of a tissue from the centres of its cells alone.
  *
- * Input: a point set of at least four cell centres in physical space, those of nuclei for one. Output: a 3-D label
- * image with label i + 1 for the i-th point in the order of the container, each of which has a cell, and 0 for the
- * exterior; it is for the filters that take segmented images.
+ * Input: a point set of at least four cell centres in physical space, such as those of nuclei. Output: a 3-D label
+ * image, for the filters that take segmented images. Its label is i + 1 for the cell of the i-th point in the order of
+ * the container, and 0 for the exterior; every point has a cell.
  *
  * The tissue is the inside of the points' Delaunay tetrahedralization, cleaned of surface triangles that are too large
  * for the local spacing, and a margin. In it the cells are the anisotropic tessellation that has its cells' centroids
  * on the points: that centres are centroids tells more of the cells' sizes and shapes than the points' Voronoi cells
- * do. The margin is fitted jointly with the cells. How exact the points are is estimated: of points that can be no
- * tissue's centroids, the cells are nearly Voronoi cells but for what shape neighbours have in common.
+ * do. The margin is fitted jointly with the cells. How exact the points are is estimated: where they cannot be the
+ * centroids of a tissue, the cells are nearly Voronoi cells except for the shape that neighbours have in common.
  *
- * The box that the points were seen in is that of the reference image, if there is one: its voxels, whole; then cells
- * at its sides are cut by them. Else it is the points' bounding box, padded. The output fills the box with nearly cubic
- * voxels along the box's direction, about VoxelsPerCell to a cell. It is the same for any number of threads.
+ * The box that the points were seen in is that of the reference image, if there is one. It is filled by the image's
+ * whole voxels, and cells at its sides are cut by them. Otherwise it is the points' bounding box, padded. The output
+ * fills the box with nearly cubic voxels along the box's direction, about VoxelsPerCell to a cell. It is the same for
+ * any number of threads.
  *
  * Progress is that of the whole; the filter can be aborted. Errors (ExceptionObject): fewer than four points, two at
  * the same place, all in one plane, one that is not finite or outside of the box; more points than the pixel type has
@@ -68,17 +69,21 @@ public:
   const PointSetType *
   GetInput() const;
 
-  /** The image that the points were found in, for the box it fills: its voxels are not read. Optional. */
+  /** The image that the points were found in, which is optional. It gives the box that it fills; its voxels are not
+   * read.
+   */
   itkSetInputMacro(ReferenceImage, ReferenceImageType);
   itkGetInputMacro(ReferenceImage, ReferenceImageType);
 
-  /** Voxels a cell of the output, about; at least 50. The fit takes no more than 700. Default: 4000. */
+  /** About how many voxels of the output the mean cell has, at least 50. The fit takes no more than 700. The default is
+   * 4000. */
   itkSetMacro(VoxelsPerCell, double);
   itkGetConstMacro(VoxelsPerCell, double);
 
 #ifndef ITK_WRAPPING_PARSER
-  /** How sure it is which cells meet, by vertices that are labels: for the JunctionSet of the output, whose adjacencies
-   * are then optimized by it, best with tissue::ReconstructionParameters::PointsPreset(). After the update; for C++. */
+  /** The votes on which cells meet, by vertices that are labels, for C++; valid after the update. The JunctionSet of
+   * the output takes them, so that its adjacencies are optimized by them, best with
+   * tissue::ReconstructionParameters::PointsPreset(). */
   const std::vector<tissue::JunctionVote> &
   GetVotes() const
   {
@@ -90,7 +95,7 @@ protected:
   PointSetToTissueLabelImageFilter();
   ~PointSetToTissueLabelImageFilter() override = default;
 
-  /** Updates the input: the output's size depends on the points. */
+  /** Updates the input first, as the output's size depends on the points. */
   void
   GenerateOutputInformation() override;
 
@@ -104,11 +109,11 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  /** The points along the axes of the box, from its corner; without a reference image physical. */
+  /** Gives the points along the axes of the box, from its corner; without a reference image they are physical. */
   std::vector<tissue::Point>
   MakePoints() const;
 
-  /** Names the first that is, in physical coordinates. */
+  /** Throws where a point is outside of the box, and names the first that is, in physical coordinates. */
   void
   RefusePointsOutside(const std::vector<tissue::Point> & points, const tissue::Box & box) const;
 

@@ -93,6 +93,8 @@ template <typename TPointSet, typename TLabelImage>
 void
 PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateOutputInformation()
 {
+  // The grid is made in the space of the points, which with a reference image is along its axes from its corner. The
+  // output then gets the grid's spacing and size, and the place of its first point by the reference image.
   if (const auto source = this->GetInput()->GetSource())
   {
     source->Update();

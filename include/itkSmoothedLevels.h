@@ -19,10 +19,11 @@
 
 namespace itk
 {
-/** What floods work on: as many levels as are worth telling apart, in the order of the intensities. */
+/** The images that are flooded. Their levels, in the order of the intensities, are as many as are worth telling apart.
+ */
 using LevelImageType = Image<std::uint16_t, 3>;
 
-/** Throws ExceptionObject, with the place, where the image holds a pixel that is no finite number, and where all its
+/** Throws ExceptionObject, with the place, where the image holds a pixel that is not a finite number, and where all its
  * pixels are the same. */
 template <typename TImage>
 void
@@ -46,9 +47,9 @@ RequireVaryingFinitePixels(const TImage * image)
   }
 }
 
-/** The image smoothed by a Gaussian of a standard deviation in physical units, the same along all axes whatever the
- * voxels' size (0: not smoothed), and spread over the levels from 0 to 65535. Images of 8 and 16 bits that are not
- * smoothed lose nothing. */
+/** Smooths the image by a Gaussian of standard deviation `sigma` in physical units, the same along all axes whatever
+ * the voxels' size (not at all where it is 0), and spreads it over the levels from 0 to 65535. Images of 8 and 16 bits
+ * that are not smoothed lose nothing. */
 template <typename TImage>
 LevelImageType::Pointer
 MakeSmoothedLevels(const TImage * image, double sigma, ThreadIdType numberOfWorkUnits)

@@ -43,7 +43,7 @@ public:
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
-  /** Label and radius. */
+  /** The label and the radius of a nucleus. */
   using NucleusDataType = Vector<double, 2>;
   using NucleiType = PointSet<NucleusDataType, 3, DefaultStaticMeshTraits<NucleusDataType, 3, 3, double>>;
 
@@ -52,32 +52,35 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(SyntheticNucleiImageFilter, ImageToImageFilter);
 
-  /** Default 0. */
+  /** The label of the exterior, which has no nucleus. The default is 0. */
   itkSetMacro(ExteriorLabel, LabelType);
   itkGetConstMacro(ExteriorLabel, LabelType);
 
-  /** Of the radius of the ball of a cell's volume, the mean share that is the nucleus's, above 0 and below 1; a nucleus
-   * has 0.8 to 1.2 times as much. Default 0.5. */
+  /** The mean radius of a nucleus over that of a ball of its cell's volume, above 0 and below 1. Each nucleus has 0.8
+   * to 1.2 times as much. The default is 0.5. */
   itkSetMacro(RadiusShare, double);
   itkGetConstMacro(RadiusShare, double);
 
-  /** The farthest that a nucleus is off its cell's centre, in radii of the ball of the cell's volume. Default 0.25. */
+  /** The farthest that a nucleus is off its cell's centre, in radii of a ball of the cell's volume. The default is
+   * 0.25.
+   */
   itkSetMacro(Decentering, double);
   itkGetConstMacro(Decentering, double);
 
-  /** Standard deviations of the blur in voxels along each axis; 0 is none. Default 1. */
+  /** The standard deviation of the blur, in voxels along each axis; 0 stands for no blur. The default is 1. */
   itkSetMacro(Blur, double);
   itkGetConstMacro(Blur, double);
 
-  /** Signal of a nucleus of mean brightness over the deviation of the noise there; above 0, at most 100. Default 5. */
+  /** The signal of a nucleus of mean brightness over the deviation of the noise there, above 0 and at most 100. The
+   * default is 5. */
   itkSetMacro(SignalToNoise, double);
   itkGetConstMacro(SignalToNoise, double);
 
-  /** Every seed gives other nuclei and other noise. Default 0. */
+  /** The seed of the random numbers: each gives other nuclei and other noise. The default is 0. */
   itkSetMacro(Seed, std::uint32_t);
   itkGetConstMacro(Seed, std::uint32_t);
 
-  /** Valid after the update. */
+  /** The centroids of the nuclei, with their labels and radii as data. They are valid after the update. */
   const NucleiType *
   GetNuclei() const
   {
@@ -111,20 +114,22 @@ private:
     Point<double, 3> center;
     double           radius = 0.0;
     double           brightness = 0.0;
-    /** Of the painted voxels. */
+    /** The centroid and the number of the painted voxels, each by its share that is in the nucleus. */
     Point<double, 3> centroid;
     double           weight = 0.0;
   };
-  /** By label. */
+  /** The nuclei by the labels of their cells. */
   using Nuclei = std::map<LabelType, Nucleus>;
 
+  /** Draws a place, a radius and a brightness for the nucleus of each cell. */
   Nuclei
   PlaceNuclei() const;
 
-  /** The nuclei as they would be seen without blur and noise; 1 is the mean brightness. */
+  /** Paints the nuclei as they would be seen without blur and noise, where 1 is the mean brightness. */
   RealImagePointer
   PaintNuclei(Nuclei & nuclei) const;
 
+  /** Blurs the image, turns brightness to photons, and adds the noise of counting and of reading them. */
   RealImagePointer
   BlurAndCount(RealImagePointer image) const;
 

@@ -47,6 +47,8 @@ template <typename TLabelImage>
 auto
 SyntheticNucleiImageFilter<TLabelImage>::PlaceNuclei() const -> Nuclei
 {
+  // One pass finds the centroids and the volumes of the cells; then each nucleus, in the order of the labels, is placed
+  // uniformly in a ball about the centroid and gets its radius and its brightness.
   const LabelImageType * labels = this->GetInput();
   Nuclei                 nuclei;
   for (ImageRegionConstIteratorWithIndex<LabelImageType> it(labels, labels->GetLargestPossibleRegion()); !it.IsAtEnd();
@@ -86,6 +88,8 @@ template <typename TLabelImage>
 auto
 SyntheticNucleiImageFilter<TLabelImage>::PaintNuclei(Nuclei & nuclei) const -> RealImagePointer
 {
+  // A voxel shows its own cell's nucleus alone, by the share of it that is in the ball. The same shares give the
+  // centroid of what was painted.
   const LabelImageType * labels = this->GetInput();
   const auto             spacing = labels->GetSpacing();
   const double           voxel = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
@@ -104,7 +108,7 @@ SyntheticNucleiImageFilter<TLabelImage>::PaintNuclei(Nuclei & nuclei) const -> R
       Nucleus &        nucleus = at->second;
       Point<double, 3> place;
       labels->TransformIndexToPhysicalPoint(it.GetIndex(), place);
-      // The part of a voxel within the ball, nearly.
+      // This is nearly the part of the voxel that is within the ball.
       share = std::clamp(0.5 + (nucleus.radius - place.EuclideanDistanceTo(nucleus.center)) / voxel, 0.0, 1.0);
       if (share > 0.0)
       {
@@ -122,7 +126,8 @@ template <typename TLabelImage>
 auto
 SyntheticNucleiImageFilter<TLabelImage>::BlurAndCount(RealImagePointer image) const -> RealImagePointer
 {
-  // Photons of the signal are to have half of the noise's variance, on a background of a fifth of them.
+  // At a nucleus of mean brightness, s photons on a background of a fifth of them, the noise of counting and that of
+  // reading have the variance 1.2 s each, so that the signal is s / sqrt(2.4 s) times the deviation.
   constexpr double background = 0.2;
   const double     photons = 2.0 * (1.0 + background) * m_SignalToNoise * m_SignalToNoise;
   if (m_Blur > 0.0)
@@ -138,7 +143,7 @@ SyntheticNucleiImageFilter<TLabelImage>::BlurAndCount(RealImagePointer image) co
   {
     it.Set(static_cast<float>(photons * (it.Get() + background)));
   }
-  // Their random numbers depend on the number of work units.
+  // The noise filters' random numbers depend on the number of work units, so each has one alone.
   const auto counted = ShotNoiseImageFilter<RealImageType>::New();
   counted->SetInput(image);
   counted->SetSeed(m_Seed);
@@ -156,11 +161,12 @@ template <typename TLabelImage>
 void
 SyntheticNucleiImageFilter<TLabelImage>::GenerateData()
 {
+  // Check the parameters; make the image of the nuclei; clamp it to pixels; list the nuclei that have been painted.
   if (!(m_RadiusShare > 0.0 && m_RadiusShare < 1.0))
   {
     itkExceptionMacro(<< "The radius share is " << m_RadiusShare << ", must be above 0 and below 1.");
   }
-  // Pixels cannot hold more.
+  // Pixels could not hold the photons of a much greater ratio of signal to noise.
   constexpr double most = 100.0;
   if (!(m_SignalToNoise > 0.0 && m_SignalToNoise <= most))
   {
@@ -174,7 +180,7 @@ SyntheticNucleiImageFilter<TLabelImage>::GenerateData()
   Nuclei     nuclei = this->PlaceNuclei();
   const auto seen = this->BlurAndCount(this->PaintNuclei(nuclei));
 
-  // The scanner's own offset keeps what noise takes below nothing.
+  // The scanner's own offset keeps values that noise takes below zero.
   const double offset = 20.0 * m_SignalToNoise;
   this->AllocateOutputs();
   ImageRegionConstIterator<RealImageType> in(seen, seen->GetLargestPossibleRegion());

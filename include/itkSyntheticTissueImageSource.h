@@ -27,7 +27,7 @@ namespace itk
  * The output is a 3-D image of an integer pixel type, with size, spacing, origin and direction of the superclass. Every
  * cell is one 6-connected piece. There are exactly NumberOfCells of them; their labels ascend by one from
  * FirstCellLabel, skipping ExteriorLabel, which all other voxels have. Cells are even in physical units, whatever the
- * spacing; the shape fills the image but for the margin.
+ * spacing; the shape fills the image up to the margin.
  *
  * The same parameters give the same image on every machine and for any number of threads; origin and direction change
  * no voxel.
@@ -61,41 +61,41 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(SyntheticTissueImageSource, GenerateImageSource);
 
-  /** At least 1; default 100. */
+  /** The number of cells, at least 1. The default is 100. */
   itkSetMacro(NumberOfCells, uint32_t);
   itkGetConstMacro(NumberOfCells, uint32_t);
 
-  /** Every seed gives another tissue; default 0. */
+  /** The seed of the random numbers: each gives another tissue. The default is 0. */
   itkSetMacro(Seed, uint64_t);
   itkGetConstMacro(Seed, uint64_t);
 
-  /** Default: Dome. */
+  /** The outline of the tissue. The default is Dome. */
   itkSetEnumMacro(Shape, ShapeEnum);
   itkGetEnumMacro(Shape, ShapeEnum);
 
-  /** Default: Anisotropic. */
+  /** How the tissue is made into cells. The default is Anisotropic. */
   itkSetEnumMacro(CellModel, CellModelEnum);
   itkGetEnumMacro(CellModel, CellModelEnum);
 
-  /** Of the anisotropic cells, the greatest ratio of the longest to the shortest axis of a cell's metric; at least 1,
-   * where they are Voronoi cells. Default 3.5. */
+  /** The greatest ratio of the longest to the shortest axis of the metric of an anisotropic cell. It is at least 1,
+   * where all are Voronoi cells. The default is 3.5. */
   itkSetMacro(Anisotropy, double);
   itkGetConstMacro(Anisotropy, double);
 
-  /** Exterior voxels left between the shape and each side of the image. Default 4. */
+  /** The number of exterior voxels left between the shape and each side of the image. The default is 4. */
   itkSetMacro(Margin, SizeValueType);
   itkGetConstMacro(Margin, SizeValueType);
 
-  /** How often each voxel takes the label of the majority of its 3x3x3 neighbourhood, near ones counting more: rounds
-   * edges and corners off. Default 2; 0 leaves the walls as the model has them. */
+  /** How often each voxel takes the label of the majority of its 3x3x3 neighbourhood, in which near voxels count more.
+   * This rounds edges and corners off; 0 leaves the walls as the model has them. The default is 2. */
   itkSetMacro(Smoothing, unsigned int);
   itkGetConstMacro(Smoothing, unsigned int);
 
-  /** Default 0. */
+  /** The label of the exterior. The default is 0. */
   itkSetMacro(ExteriorLabel, PixelType);
   itkGetConstMacro(ExteriorLabel, PixelType);
 
-  /** Default 1. */
+  /** The least label of a cell. The default is 1. */
   itkSetMacro(FirstCellLabel, PixelType);
   itkGetConstMacro(FirstCellLabel, PixelType);
 
@@ -118,7 +118,7 @@ protected:
 private:
   void
   VerifyMargin() const;
-  /** Of the label of a cell (0 for the first) from the first one's, in steps that skip the exterior's. */
+  /** Gives how much the label of a cell, counted from 0, exceeds the first one's. The exterior's label is skipped. */
   uint64_t
   GetLabelOffset(uint64_t cell) const;
   PixelType
@@ -126,8 +126,8 @@ private:
   bool
   IsInside(const IndexType & index) const;
 
-  /** The phases of GenerateData, in their order. The first fills the output with the exterior label and, in the shape,
-   * another one, and returns the number of the latter. */
+  /** This function and the following ones are the phases of GenerateData, in their order. The first fills the output
+   * with the exterior label and, in the shape, the first cell's, and returns the number of voxels in the shape. */
   SizeValueType
   MarkTissue();
   tissue::AnisotropicTessellation

@@ -30,10 +30,11 @@ namespace itk
 {
 namespace SyntheticTissue
 {
-// The smallest mean volume of cells, in voxels: a cube of 3.
+// The smallest mean volume of cells, in voxels. With less than a cube of 3, cells would be all boundary, and some would
+// be lost to the smoothing of walls.
 constexpr SizeValueType MinimumVoxelsPerCell = 27;
 
-// Where each phase starts in the progress, about as in the time.
+// The progress at which each phase starts, 0 .. 1, which is about its share of the time so far.
 constexpr float GrowthStart = 0.1f;
 constexpr float AssignmentStart = 0.4f;
 constexpr float SmoothingStart = 0.75f;
@@ -144,7 +145,7 @@ SyntheticTissueImageSource<TOutputImage>::IsInside(const IndexType & index) cons
   tissue::Point    point;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    // Twice the distance from the middle of the image, in voxels: an integer.
+    // Twice the distance from the middle of the image, in voxels, is an integer, and the same on every machine.
     const auto twice = static_cast<double>(2 * (index[i] - region.GetIndex(i)) + 1) - region.GetSize(i);
     point[i] = twice / static_cast<double>(region.GetSize(i) - 2 * m_Margin);
     if (std::abs(point[i]) > 1.0)
@@ -201,7 +202,7 @@ template <typename TOutputImage>
 tissue::AnisotropicTessellation
 SyntheticTissueImageSource<TOutputImage>::GrowCells(double cellDiameter)
 {
-  constexpr std::int32_t       cellsPerFounder = 16;
+  constexpr std::int32_t       cellsPerFounder = 16; // This makes about four generations of divisions.
   tissue::SyntheticCellOptions options;
   options.numberOfCells = static_cast<std::int32_t>(m_NumberOfCells);
   options.seed = m_Seed;
@@ -222,6 +223,8 @@ void
 SyntheticTissueImageSource<TOutputImage>::AssignCells(const tissue::AnisotropicTessellation & cells,
                                                       double                                  cellDiameter)
 {
+  // Bricks of half a cell's diameter are worked on in parallel. The seeds that can be nearest to any voxel of a brick
+  // are looked up once, when its first voxel of the tissue is met; then each voxel takes the label of its nearest seed.
   OutputImageType * output = this->GetOutput();
   const RegionType  region = output->GetRequestedRegion();
   const SizeType    brickSize = TessellationBricks::SizeOfLength(output, 0.5 * cellDiameter);
@@ -264,7 +267,7 @@ void
 SyntheticTissueImageSource<TOutputImage>::RunOnOutput(ImageToImageFilter<TOutputImage, TOutputImage> * filter,
                                                       float progressStart, float progressEnd)
 {
-  // With the output itself as its input the filter would ask this source to update.
+  // The filter's input is a graft, as with the output itself it would ask this source to update.
   auto input = OutputImageType::New();
   input->Graft(this->GetOutput());
   filter->SetInput(input);

@@ -14,8 +14,8 @@
 
 namespace itk
 {
-/** Between images and tessellations: voxels as points, and bricks of voxels as the balls by which seeds are looked up.
- */
+/** The functions between images and tessellations, which turn voxels into points, and bricks of voxels into the balls
+ * by which seeds are looked up. */
 namespace TessellationBricks
 {
 /** Cuts a region into bricks, the last ones smaller, and calls visit(brick). */
@@ -40,7 +40,7 @@ VisitBricks(const TRegion & region, const typename TRegion::SizeType & brickSize
   }
 }
 
-/** Where a voxel is along the image's own axes, in physical units from the image's first voxel. */
+/** Gives the place of a voxel along the image's own axes, in physical units from the image's first voxel. */
 template <typename TImage>
 tissue::Point
 ToTissuePoint(const TImage * image, const typename TImage::IndexType & index)
@@ -54,7 +54,7 @@ ToTissuePoint(const TImage * image, const typename TImage::IndexType & index)
   return point;
 }
 
-/** The ball about the voxels' centres of a region. */
+/** Gives the ball about the centres of a region's voxels. */
 template <typename TImage>
 tissue::TissueSamples::Group
 EnclosingBall(const TImage * image, const typename TImage::RegionType & region)
@@ -71,7 +71,7 @@ EnclosingBall(const TImage * image, const typename TImage::RegionType & region)
   return ball;
 }
 
-/** The voxels along each axis that make up a length in physical units, at least one. */
+/** Gives the number of voxels along each axis that make up a length in physical units, at least one. */
 template <typename TImage>
 typename TImage::SizeType
 SizeOfLength(const TImage * image, double length)
@@ -84,7 +84,10 @@ SizeOfLength(const TImage * image, double length)
   return size;
 }
 
-/** The voxels that are to be cells, as evenly spread samples: about 125 a cell of the diameter, 27 a group. */
+/** Samples the voxels that are to be cells, evenly: about 125 to a cell of the diameter, and 27 to a group.
+ *
+ * Bricks are three strides wide, a stride a fifth of the diameter. In each block of a stride the middle voxel is a
+ * sample if it is not exterior; the samples of a brick make a group. */
 template <typename TImage>
 tissue::TissueSamples
 SampleTissue(const TImage * image, typename TImage::PixelType exteriorLabel, double cellDiameter)

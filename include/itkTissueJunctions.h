@@ -44,10 +44,10 @@ public:
   itkTypeMacro(TissueJunctions, DataObject);
 
   using RealContainer = VectorContainer<IdentifierType, double>;
-  /** A negative label is there as its two's complement, as in CellWallMesh. */
+  /** The type of arrays of labels. A negative label is stored as its two's complement, as in CellWallMesh. */
   using LabelsContainer = VectorContainer<IdentifierType, IdentifierType>;
 
-  /** Of every cell, the exterior not counted: its label, its centre x, y, z, and its volume. */
+  /** The label, the centre x, y, z, and the volume of every cell, without the exterior. */
   LabelsContainer::Pointer
   GetCellLabels() const;
   RealContainer::Pointer
@@ -55,20 +55,20 @@ public:
   RealContainer::Pointer
   GetCellVolumes() const;
 
-  /** Of every wall: the labels of its two cells, the exterior's first, and its area. */
+  /** The labels of the two cells of every wall, the exterior's first, and the wall's area. */
   LabelsContainer::Pointer
   GetWallLabels() const;
   RealContainer::Pointer
   GetWallAreas() const;
 
-  /** Of every junction: the labels of its four cells, and its position x, y, z. */
+  /** The labels of the four cells of every junction, and the junction's position x, y, z. */
   LabelsContainer::Pointer
   GetJunctionLabels() const;
   RealContainer::Pointer
   GetJunctionPositions() const;
 
 #ifndef ITK_WRAPPING_PARSER
-  /** All that was found, for C++. */
+  /** The whole set, for C++. */
   const tissue::JunctionSet &
   GetJunctionSet() const
   {

@@ -15,15 +15,15 @@ namespace itk
 /** \class WorkUnitErrors
  * \brief Carries an exception out of parallel work units.
  *
- * An exception, such as that of an abort, that leaves a work unit may get lost in a pool of threads, or unwind what the
- * other threads still use. Here it waits until all are done.
+ * An exception that leaves a work unit, such as that of an abort, may get lost in a pool of threads, or destroy what
+ * the other threads still use. This class keeps it until all are done.
  *
  * \ingroup TissueTessellation
  */
 class WorkUnitErrors
 {
 public:
-  /** Runs the work of a unit, and keeps the exception that leaves it; of several, the last. */
+  /** Runs the work of a unit, and keeps the exception that leaves it. Of several it keeps the last. */
   template <typename TWork>
   void
   Run(const TWork & work)
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /** To be called when all work units are done: throws what was kept. */
+  /** Throws the exception that was kept. It is to be called when all work units are done. */
   void
   Rethrow() const
   {

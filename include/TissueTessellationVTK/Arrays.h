@@ -22,10 +22,10 @@
 
 namespace tissue
 {
-/** What the parts of the VTK bridge share. */
+/** The helpers that the parts of the VTK bridge share. */
 namespace bridge
 {
-/** Labels keep their 64 bits: VTK has no narrower type that holds each of them. */
+/** The type of the arrays of labels. It has 64 bits, as no narrower type holds every label. */
 using LabelArray = vtkTypeInt64Array;
 
 template <typename TArray>
@@ -39,7 +39,7 @@ MakeArray(const char * name, int numberOfComponents, vtkIdType numberOfTuples)
   return array;
 }
 
-/** Points of double precision, all of them set by the caller. */
+/** Makes points of double precision, all of which the caller must set. */
 inline vtkSmartPointer<vtkPoints>
 MakePoints(vtkIdType numberOfPoints)
 {
@@ -59,6 +59,7 @@ AddCoordinateSystem(vtkDataObject * data)
   data->GetFieldData()->AddArray(space);
 }
 
+/** Throws std::invalid_argument, which names the owner, where a vertex is none of the cells'. */
 inline void
 RequireVertex(VertexId vertex, const std::vector<Cell> & cells, const char * owner, std::size_t ownerIndex)
 {

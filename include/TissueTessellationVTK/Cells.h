@@ -34,7 +34,7 @@ AddColumn(vtkDataSetAttributes * attributes, const char * name, const std::vecto
   attributes->AddArray(column);
 }
 
-/** Cells, the exterior not counted, that each vertex shares a wall with. */
+/** Counts the cells, without the exterior, with which each vertex shares a wall. */
 inline std::vector<std::int32_t>
 CountNeighbors(const WallMesh & mesh, std::size_t numberOfVertices)
 {
@@ -61,7 +61,8 @@ CountNeighbors(const WallMesh & mesh, std::size_t numberOfVertices)
   return counts;
 }
 
-/** Adds the columns of MakeCellTable, one row for each of the given vertices. */
+/** Adds the columns of MakeCellTable in its order, with one row for each of the given vertices. Values come from the
+ * cells of the image, from the check of their surfaces, and from the walls. */
 inline void
 AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, const std::vector<Cell> & cells,
                   const CellSurfaceCheck & check, const std::vector<VertexId> & vertices)
@@ -128,7 +129,7 @@ InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & tria
 }
 } // namespace bridge
 
-/** \brief One row of statistics for each cell of the tissue, in ascending order of the labels.
+/** \brief Makes a table with one row of statistics for each cell of the tissue, in ascending order of the labels.
  *
  * | column | type | meaning |
  * |---|---|---|
@@ -144,7 +145,7 @@ InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & tria
  *
  * Lengths are in the units of the image. A cell that has no walls has a row too: its `NumberOfTriangles` is 0.
  * `check` is the result of CheckCellSurfaces for `mesh` and `cells.size()`.
- * \throws std::invalid_argument where it is not, or as RequireConsistentIndices does. */
+ * \throws std::invalid_argument where `check` is for another number, or as RequireConsistentIndices does. */
 inline vtkSmartPointer<vtkTable>
 MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
 {
@@ -158,11 +159,11 @@ MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const Cell
   return table;
 }
 
-/** \brief The cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
+/** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
  *
- * Points are those of MakeWallPolyData; faces are the triangles of the cell's walls, turned outwards. Cell arrays are
- * the columns of MakeCellTable, the field array `SPACE` is `LPS`. A cell without a triangle is left out; one that is
- * not closed is not, and its array `IsClosed` is 0. `check` is the result of CheckCellSurfaces for `mesh` and
+ * The points are those of MakeWallPolyData, the faces the triangles of the cell's walls, turned outwards. The cell
+ * arrays are the columns of MakeCellTable; the field array `SPACE` is `LPS`. A cell without a triangle is left out; one
+ * that is not closed is kept, and its `IsClosed` is 0. `check` is the result of CheckCellSurfaces for `mesh` and
  * `cells.size()`. */
 inline vtkSmartPointer<vtkUnstructuredGrid>
 MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)

@@ -18,9 +18,9 @@
 
 namespace tissue
 {
-/** \brief The adjacency complex of a tissue, drawn between the centres of its cells.
+/** \brief Makes a grid of the adjacency complex of a tissue, drawn between the centres of its cells.
  *
- * Point v - 1 is the centre of the cell of vertex v; all cells have one, those in no tetrahedron too. Each tetrahedron
+ * Point v - 1 is the centre of the cell of vertex v; cells that are in no tetrahedron have one, too. Each tetrahedron
  * of the complex makes one VTK cell, in the order of the complex: a VTK_TETRA, or a VTK_TRIANGLE on the tissue's
  * surface where its fourth vertex is the exterior, which has no position. A tetrahedron's points are listed so that its
  * volume is positive (with combinatorial legality some tetrahedra overlap all the same); a triangle's are in the order
@@ -36,6 +36,8 @@ namespace tissue
 inline vtkSmartPointer<vtkUnstructuredGrid>
 MakeComplexGrid(const std::vector<VertexQuadruple> & complex, const std::vector<Cell> & cells)
 {
+  // The points of all cells come first. Then each tetrahedron has its vertices sorted, which puts the exterior first,
+  // and becomes a triangle or a tetrahedron of positive volume.
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   const vtkIdType                      numberOfPoints = cells.empty() ? 0 : static_cast<vtkIdType>(cells.size()) - 1;
   const auto                           points = bridge::MakePoints(numberOfPoints);

@@ -16,14 +16,15 @@
 
 namespace tissue
 {
-/** \brief The junctions of a label image: one row for each four cells that meet, as in Junction.
+/** \brief Makes a table of the junctions of a label image, with one row for each four cells that meet, as in Junction.
  *
- * Columns: `Label0` .. `Label3` (Int64, in the order of the vertices, so the exterior comes first,
- * and a void, which has its label, last), `X`, `Y`, `Z`
- * (Float64, physical), `NumberOfBlocks`, `NumberOfExactBlocks`, `NumberOfClusters` (Int64). */
+ * The columns are `Label0` .. `Label3` (Int64, in the order of the vertices, so that the exterior comes first, and a
+ * void, which has the exterior's label, last), `X`, `Y`, `Z` (Float64, physical), `NumberOfBlocks`,
+ * `NumberOfExactBlocks`, `NumberOfClusters` (Int64). */
 inline vtkSmartPointer<vtkTable>
 MakeJunctionTable(const JunctionSet & junctions)
 {
+  // The columns of the labels come first, then those of the position, then the counts.
   const auto                rows = static_cast<vtkIdType>(junctions.junctions.size());
   vtkSmartPointer<vtkTable> table = vtkSmartPointer<vtkTable>::New();
   const auto                addIntegers = [&](const std::string & name, auto valueOf) {

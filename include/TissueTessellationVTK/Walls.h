@@ -36,7 +36,7 @@ MakeMeshPoints(const WallMesh & mesh)
 }
 } // namespace bridge
 
-/** \brief The walls of a tissue as VTK's triangles, each wall once.
+/** \brief Makes VTK's triangles of the walls of a tissue, each wall once.
  *
  * Points and triangles keep the order, the indices and the winding of the mesh: a normal points from the first cell of
  * its wall to the second, the cell of the smaller label is the first, the exterior always the second (the convention of
@@ -57,6 +57,7 @@ inline vtkSmartPointer<vtkPolyData>
 MakeWallPolyData(const WallMesh & mesh, const std::vector<Cell> & cells)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  // One pass over the triangles fills the polygons and all arrays of cells; then points and their array are added.
   const vtkIdType           numberOfTriangles = static_cast<vtkIdType>(mesh.triangles.size());
   const std::vector<double> areas = ComputeWallAreas(mesh);
 

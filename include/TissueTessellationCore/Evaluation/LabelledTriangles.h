@@ -14,13 +14,13 @@
 
 namespace tissue
 {
-/** \brief The boundaries of cells as any program makes them: triangles, each with the cells on its two sides. */
+/** \brief The boundaries of cells as any program may make them: triangles, each with the cells on its two sides. */
 struct LabelledTriangles
 {
   struct Triangle
   {
     std::array<PointId, 3> points = { { 0, 0, 0 } };
-    /** The normal, by the right-hand rule, points from the first to the second. */
+    /** The cells on the two sides. The normal, by the right-hand rule, points from the first to the second. */
     VertexPair cells = { { 0, 0 } };
   };
 
@@ -28,13 +28,13 @@ struct LabelledTriangles
   std::vector<Triangle> triangles;
 };
 
-/** \brief Likewise, each triangle with the labels of an image on its two sides, as files have it. */
+/** \brief The boundaries of cells as files have them: triangles, each with the labels of an image on its two sides. */
 struct TrianglesOfLabels
 {
   struct Triangle
   {
     std::array<PointId, 3> points = { { 0, 0, 0 } };
-    /** The normal, by the right-hand rule, points from the first to the second. */
+    /** The labels on the two sides. The normal, by the right-hand rule, points from the first to the second. */
     std::array<Label, 2> labels = { { 0, 0 } };
   };
 
@@ -42,18 +42,18 @@ struct TrianglesOfLabels
   std::vector<Triangle> triangles;
 };
 
-/** The triangles with the cells in place of their labels. Points at the very same place become one, the first of them:
- * triangles of most programs are neighbours by their places alone.
+/** Gives the triangles with cells in place of labels. Points at the very same place become one, the first of them, as
+ * the triangles of most programs are neighbours by their places alone.
  * \throws std::invalid_argument where a label is neither a cell's nor the exterior's, or on both sides of a triangle,
  * or a point is out of range or not finite. */
 LabelledTriangles
 FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctions);
 
-/** \brief The same triangles, grouped by the pair of cells they separate and turned as WallMesh promises.
+/** \brief Groups the triangles by the pair of cells they separate, and turns them as WallMesh promises.
  *
  * The vertex of the smaller index is the wall's first cell, the exterior its second. Points in no triangle are left
- * out; the others keep their order, and so do the triangles of a wall. WallMesh::numberOfCells stays empty. What else
- * WallMesh promises is as true as the triangles make it.
+ * out; the others keep their order, and so do the triangles of a wall. WallMesh::numberOfCells stays empty. All else
+ * that WallMesh promises is as true as the triangles make it.
  * \throws std::invalid_argument where both sides of a triangle are the same cell, or a point is out of range. */
 WallMesh
 MakeWallMesh(const LabelledTriangles & mesh);

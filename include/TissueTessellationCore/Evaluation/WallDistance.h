@@ -19,19 +19,19 @@ namespace tissue
  *
  * The distance of a triangle is that of its centroid to the nearest centre of a voxel face between the same two cells;
  * means are weighted by the triangles' areas. As faces are met at their centres, a mesh on the very surface has a
- * distance of a third of a voxel or so. Walls that the image has not are left out, and counted by their area. */
+ * distance of a third of a voxel or so. Walls that are missing in the image are left out, and counted by their area. */
 struct WallDistance
 {
-  /** Mean over all walls, in physical units; -1 where the image has none of them. */
+  /** The mean distance of all walls, in physical units; -1 where the image has none of them. */
   double mean = -1.0;
-  /** Share of the area that is in walls which the image has not. */
+  /** The share of the area that is in walls which are missing in the image. */
   double shareOfFalseWalls = 0.0;
-  /** Mean over the walls of each vertex, likewise. */
+  /** The mean distance of each vertex's walls, in physical units; -1 where the image has none of them. */
   std::vector<double> ofVertex;
-  /** Edge of the cube of a voxel's volume. */
+  /** The edge of a cube that has the volume of a voxel. */
   double voxelLength = 1.0;
 
-  /** A distance in voxels; -1 stays. */
+  /** Turns a physical distance into one in voxels; -1 stays -1. */
   double
   InVoxels(double distance) const
   {
@@ -39,7 +39,8 @@ struct WallDistance
   }
 };
 
-/** `walls` has vertices below `numberOfVertices`, as `labels` has; larger ones are no cell's. */
+/** Measures the distance of a mesh. The cells of `walls` and of `labels` are their vertices below `numberOfVertices`;
+ * vertices from that one on are not cells. */
 WallDistance
 MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
                     const Execution & execution = Execution());

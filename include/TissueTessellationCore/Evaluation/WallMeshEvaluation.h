@@ -21,60 +21,62 @@ namespace tissue
 struct WallMeshEvaluation
 {
   std::size_t numberOfTriangles = 0;
-  /** Cells of the image, the exterior not counted. */
+  /** The number of cells of the image, the exterior not counted. */
   std::size_t numberOfCells = 0;
   std::size_t numberOfMissingCells = 0;
-  /** Cells whose surface is closed, and those of them where it is one sphere; CellSurface says which these are. */
+  /** The number of cells whose surface is closed, and of those whose surface is one sphere (CellSurface). */
   std::size_t numberOfClosedCells = 0;
   std::size_t numberOfSpheres = 0;
-  /** Points where four or more cells meet, the exterior counted. */
+  /** The number of points where four or more cells meet, the exterior counted. */
   std::size_t numberOfCorners = 0;
-  /** Corners where more than four meet. */
+  /** The number of corners where more than four cells meet. */
   std::size_t numberOfCrowdedCorners = 0;
-  /** Mean of |V - V_image| / V_image over the closed cells, in 0 .. 1 as a rule; -1 where no cell is closed. */
+  /** The mean of |V - V_image| / V_image over the closed cells, in 0 .. 1 as a rule; -1 where no cell is closed. */
   double meanVolumeError = -1.0;
-  /** A twentieth of the closed cells have a larger one; -1 likewise. */
+  /** The volume error that a twentieth of the closed cells exceed; -1 where no cell is closed. */
   double volumeErrorPercentile95 = -1.0;
-  /** Share of all cells that are closed and within one percent of their volume in the image. */
+  /** The share of all cells that are closed and within one percent of their volume in the image. */
   double shareWithinOnePercent = 0.0;
-  /** Mean over the closed cells of the volume over that of the convex hull, in 0 .. 1; -1 likewise. */
+  /** The mean over the closed cells of their volume over that of their convex hull, in 0 .. 1; -1 where no cell is
+   * closed. */
   double meanConvexity = -1.0;
-  /** Pairs of cells with a triangle between them, and quadruples of cells around a point, against those of the image.
-   * A point where more than four cells meet stands for each four of them, as a block of voxels of the image does. */
+  /** The overlap with the image's adjacencies of the pairs of cells with a triangle between them, and of the quadruples
+   * of cells around a point. A point where more than four cells meet stands for each four of them, as a block of voxels
+   * of the image does. */
   AdjacencyOverlap overlap;
   QualitySummary   quality;
   std::size_t      numberOfDegenerateTriangles = 0;
-  /** Pairs of triangles that cross (TriangleCrossing.h). */
+  /** The number of pairs of triangles that cross (TriangleCrossing.h). */
   std::size_t numberOfCrossings = 0;
 
   struct Cell
   {
-    /** -1 where the cell is not closed. */
+    /** Volume error and convexity are -1 where the cell is not closed. */
     double       volumeError = -1.0;
     double       convexity = -1.0;
     std::int32_t eulerCharacteristic = 0;
     bool         isClosed = false;
     bool         isSphere = false;
   };
-  /** By vertex; that of the exterior is empty. */
+  /** What was found of each cell, by vertex. The entry of the exterior stays empty. */
   std::vector<Cell> cells;
 };
 
 /** \brief Judges a mesh of any origin by the junctions of the image it was made from.
  *
  * `walls` has vertices of the set's cells, and may have one more vertex, cells.size(), that stands for gaps between
- * cells: it is no cell, and in no pair or quadruple. Volumes are meant to be in the image's units.
+ * cells. That one is not a cell, and in no pair or quadruple. Volumes should be in the image's units.
  * \throws std::invalid_argument as RequireConsistentIndices does. */
 WallMeshEvaluation
 EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Execution & execution = Execution());
 
-/** \brief All that is found of a wall mesh by the label image that it is of: its cells and triangles, its walls'
- * distance to those of the image, its voxels. */
+/** \brief All that is found of a wall mesh by the label image it was made from: of its cells and triangles, of its
+ * walls' distance to those of the image, and of its voxels. */
 struct TissueMeshEvaluation
 {
   WallMeshEvaluation mesh;
   WallDistance       distance;
-  /** Dice index of the voxels of each vertex (VoxelDice.h), and its mean over the cells. */
+  /** The Dice index of the voxels of each vertex (VoxelDice.h), and its mean over the cells. */
   std::vector<double> dice;
   double              meanDice = 0.0;
 
@@ -85,8 +87,9 @@ struct TissueMeshEvaluation
   }
 };
 
-/** Judges a mesh of any origin; as EvaluateWallMesh, MeasureWallDistance and ComputeVoxelDice do. The same for any
- * number of threads. \throws std::invalid_argument as RequireConsistentIndices does, and where there is no cell. */
+/** Judges a mesh of any origin by EvaluateWallMesh, MeasureWallDistance and ComputeVoxelDice. The result is the same
+ * for any number of threads. \throws std::invalid_argument as RequireConsistentIndices does, and where there is no
+ * cell. */
 TissueMeshEvaluation
 EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const LabelVolume & labels,
                    const Execution & execution = Execution());

@@ -19,25 +19,27 @@ struct LabelVolume;
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
 {
-  /** Corners whose four cells do not meet in the image, or nowhere near. */
+  /** The number of corners whose four cells do not meet in the image, or not near the corner. */
   std::int64_t unfittedCorners = 0;
-  /** Those of each cell, by vertex. */
+  /** The number of unfitted corners of each cell, by vertex. */
   std::vector<std::int32_t> unfittedCornersOfCell;
-  /** Pairs of triangles of the first star that crossed, and those that no search could part. */
+  /** The pairs of triangles of the first star that crossed and were parted, and those that no search could part. */
   std::int64_t untangledPairs = 0;
   std::int64_t crossingPairs = 0;
-  /** Walls that stay a subdivided star or outline at first, as their triangles would cross if remeshed. */
+  /** The number of walls that stay a subdivided star or outline at first, as they would cross others if remeshed. */
   std::int64_t starWalls = 0;
 };
 
-/** \brief The walls of the complex's dual, fitted to the label image: corners, triple lines and walls where the
- * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
- * crossing unless the statistics say so.
+/** \brief Makes the walls of the complex's dual and fits them to the label image.
  *
- * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in spatial order.
- * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
- * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
- * `execution`. \throws Aborted where `execution` asks to stop. */
+ * Corners, triple lines and walls go to where the smoothed indicators of their cells are equal (IndicatorField), and
+ * the cells get their volumes. No two triangles cross unless the statistics say so.
+ *
+ * The first points of the mesh are the corners, in the order of AdjacencyComplex::GetTetrahedra(); the walls are in
+ * spatial order. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls
+ * are the stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from
+ * the image (TriangulateFarOutlines()). The result is the same for any `execution`.
+ * \throws Aborted where `execution` asks to stop. */
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,

@@ -30,7 +30,7 @@ class BlockScan
 public:
   using Index = std::array<std::int32_t, 3>;
 
-  /** Voxels of one cell in one row, from the end of the run before. */
+  /** Consecutive voxels of one cell in one row; they begin where the run before ends. */
   struct Run
   {
     std::int32_t end;
@@ -38,7 +38,7 @@ public:
     std::int64_t piece;
   };
 
-  /** Part of a face-connected piece: its voxels and the sums of their coordinates. */
+  /** A part of a face-connected piece, by the number of its voxels and the sums of their coordinates. */
   struct Piece
   {
     VertexId                    cell = 0;
@@ -46,20 +46,21 @@ public:
     std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
   };
 
-  /** Faces of a wall normal to one axis: number, and sums of the coordinates of the voxel at the face's upper side. */
+  /** The faces of a wall that are normal to one axis, by their number and the sums of the coordinates of the voxels at
+   * their upper sides. */
   struct Faces
   {
     std::int64_t                numberOfFaces = 0;
     std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
   };
 
-  /** Four cells of a block. */
+  /** Four cells that one block holds. */
   struct Quadruple
   {
     VertexQuadruple cells;
-    /** Corner of the block. */
+    /** The padded coordinates of the block's corner. */
     Index corner;
-    /** The block holds no fifth cell. */
+    /** True where the block holds no fifth cell. */
     bool exact;
   };
 
@@ -67,19 +68,22 @@ public:
   using TripleTable = VertexTupleTable<3, std::int64_t>;
 
   /** \param size the image's size in voxels.
-   *  \param firstPlane the first plane to count, at least 1. The plane before it is fed first, and not counted. */
+   *  \param firstPlane the first plane to count, at least 1. The plane before it must be fed first; it is not counted.
+   */
   BlockScan(const Index & size, std::int32_t firstPlane, const ExteriorLabels & exterior);
 
-  /** Feeds a plane, from its row 0 to its row size[1] + 1: per row its runs, or the exterior alone, then EndRow. */
+  /** Begins the next plane. Each of its rows, from 0 to size[1] + 1, is then fed by AddRun(), not at all where it is
+   * all exterior, and completed by EndRow(). */
   void
   BeginPlane();
-  /** A run of the image's voxels up to the padded coordinate end, excluded. Neighbouring runs may be of one cell. */
+  /** Feeds the row's voxels from the run before up to the padded coordinate `end`, excluded. Neighbouring runs may be
+   * of one cell. */
   void
   AddRun(Label label, std::int32_t end)
   {
     this->AppendRun(m_Labels(label), end);
   }
-  /** Completes the row with exterior. */
+  /** Completes the row with the exterior. */
   void
   EndRow();
 
@@ -88,13 +92,15 @@ public:
   {
     return m_Labels;
   }
-  /** By the scan's number of the cell, as far as a cell met there: it has a voxel on the border of the image. */
+  /** Tells, by the scan's number of a cell, whether it has a voxel on the border of the image. The list ends with the
+   * last cell that has one. */
   const std::vector<bool> &
   GetTouchesBorder() const
   {
     return m_TouchesBorder;
   }
-  /** The parts of pieces, whose sets are the pieces. Those of the runs of the plane that is not counted come first. */
+  /** The parts of pieces; GetPieceSets() tells which of them make up one piece. Those of the runs of the first plane,
+   * which is not counted, come first. */
   const std::vector<Piece> &
   GetPieces() const
   {

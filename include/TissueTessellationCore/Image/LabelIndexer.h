@@ -17,12 +17,12 @@ namespace tissue
 /** The labels of an image that stand for the exterior. */
 struct ExteriorLabels
 {
-  /** False: no label of the image is the exterior, which is then the outside of the image, and 0 unless it is a cell.
-   */
+  /** False where no label was named the exterior's. The exterior then is the outside of the image, and label 0 unless
+   * that is a cell. */
   bool  hasLabel = false;
   Label label = 0;
   bool  zeroIsCell = false;
-  /** The largest labels of the image, as many as there are enclosed voids, stand for one void each. */
+  /** The number of enclosed voids. As many of the largest labels of the image stand for one void each. */
   std::int32_t numberOfVoids = 0;
 
   bool
@@ -54,7 +54,7 @@ public:
     return recent.id;
   }
 
-  /** The label of each number; the first stands for the exterior and is not one. */
+  /** The label of each number. The first entry stands for the exterior and is no label. */
   const std::vector<Label> &
   GetLabels() const
   {
@@ -89,7 +89,7 @@ private:
   ExteriorLabels                      m_Exterior;
   std::vector<Label>                  m_Labels;
   std::unordered_map<Label, VertexId> m_Ids;
-  /** The label last met of each residue: spares nearly every look-up. */
+  /** The label last met of each residue modulo 1024, which spares nearly every look-up in the table. */
   std::vector<Recent> m_Recent;
 };
 } // namespace tissue

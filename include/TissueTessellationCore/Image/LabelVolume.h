@@ -15,7 +15,7 @@
 
 namespace tissue
 {
-/** \brief A label image by the vertices of its cells, with its place in physical space. What is outside of it is
+/** \brief A label image by the vertices of its cells, with its place in physical space. All that is outside of it is
  * exterior. */
 struct LabelVolume
 {
@@ -37,7 +37,7 @@ struct LabelVolume
     return vertices[(static_cast<std::size_t>(z) * size[1] + y) * size[0] + x];
   }
 
-  /** The index, not whole, of a physical position; the steps must span a volume. */
+  /** The index, as a rule not whole, of a physical position. The steps must span a volume. */
   Point
   ToIndex(const Point & position) const
   {
@@ -48,7 +48,7 @@ struct LabelVolume
                                      Dot(offset, Cross(steps[0], steps[1])) } };
   }
 
-  /** Edge of the cube of a voxel's volume. */
+  /** The edge of a cube that has the volume of a voxel. */
   double
   VoxelLength() const
   {

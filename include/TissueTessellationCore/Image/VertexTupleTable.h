@@ -15,8 +15,8 @@ namespace tissue
 {
 /** \brief Hash table from a tuple of vertices to a value, for the inner loop of the image scan.
  *
- * Open addressing, and a guess that the next tuple is the last one, which is so for every second block along a line of
- * the image. The entries keep the order of their insertion. */
+ * It uses open addressing, and first tries whether a tuple is the same as the last one, which is so for every second
+ * block along a line of the image. The entries keep the order of their insertion. */
 template <std::size_t VLength, typename TValue>
 class VertexTupleTable
 {
@@ -32,7 +32,7 @@ public:
     : m_Slots(std::size_t{ 1 } << 10, -1)
   {}
 
-  /** The value of a tuple, a new one if the table has none. The reference holds until the next call. */
+  /** The value of a tuple. It is a new one if the table has none. The reference holds until the next call. */
   TValue &
   operator[](const Key & key)
   {
@@ -78,7 +78,7 @@ private:
   std::size_t
   FindSlot(const Key & key) const
   {
-    // Odd factors without pattern; their products do not wait for each other.
+    // The factors are odd and without a pattern, and their products do not wait for each other.
     constexpr std::array<std::uint64_t, 3> factors = {
       { 0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu, 0xD6E8FEB86659FD93u }
     };
@@ -109,7 +109,7 @@ private:
   }
 
   std::vector<Entry> m_Entries;
-  /** Index of an entry, or -1; their number is a power of two. */
+  /** The index of the entry in each slot, or -1. The number of slots is a power of two. */
   std::vector<std::int64_t> m_Slots;
   std::size_t               m_Last = 0;
 };

@@ -17,24 +17,25 @@ namespace tissue
 struct CellSurface
 {
   std::int32_t numberOfTriangles = 0;
-  /** Walls of the cell that have a triangle. */
+  /** The number of the cell's walls that have a triangle. */
   std::int32_t numberOfWalls = 0;
-  /** Parts of the surface that share no edge; two parts that touch at a point are two. */
+  /** The number of parts of the surface that share no edge. Two parts that touch at a point alone are two. */
   std::int32_t numberOfComponents = 0;
-  /** Points - edges + triangles; 2 for a sphere. */
+  /** The number of points less that of edges plus that of triangles, which is 2 for a sphere. */
   std::int32_t eulerCharacteristic = 0;
-  /** Edges in one triangle of the cell: the rims of holes. */
+  /** The number of edges in one triangle of the cell only, which are the rims of holes. */
   std::int32_t numberOfOpenEdges = 0;
-  /** Edges in more than two triangles of the cell: the surface touches itself. */
+  /** The number of edges in more than two triangles of the cell, where the surface touches itself. */
   std::int32_t numberOfCrowdedEdges = 0;
-  /** Edges whose two triangles run along them in the same direction: one of the two is turned over. */
+  /** The number of edges along which their two triangles run in the same direction, so that one is turned over. */
   std::int32_t numberOfMisorientedEdges = 0;
-  /** Signed, positive where the triangles face outwards; without a meaning where the surface is not closed. */
+  /** The volume within the surface. It is positive where the triangles face outwards, and has no meaning where the
+   * surface is not closed. */
   double volume = 0.0;
   double area = 0.0;
 
-  /** Each edge is in exactly two of the triangles, which run along it in opposite directions. False without triangles.
-   */
+  /** Tells whether each edge is in exactly two of the triangles, which run along it in opposite directions. Without
+   * triangles this is false. */
   bool
   IsClosed() const
   {
@@ -42,8 +43,8 @@ struct CellSurface
            numberOfMisorientedEdges == 0;
   }
 
-  /** The surface is one topological sphere. (One component by edges and characteristic 2 leave no room for a point
-   * where the surface touches itself.) */
+  /** Tells whether the surface is one topological sphere. One component by edges and the characteristic 2 leave no room
+   * for a point where the surface touches itself. */
   bool
   IsSphere() const
   {
@@ -54,22 +55,23 @@ struct CellSurface
 /** \brief What CheckCellSurfaces found: the promises of WallMesh, one by one. */
 struct CellSurfaceCheck
 {
-  /** By vertex of the adjacency complex; the entry of the exterior stays empty. */
+  /** The surface of each cell, by vertex of the adjacency complex. The entry of the exterior stays empty. */
   std::vector<CellSurface> cells;
-  /** Cells that are in no triangle, ascending. */
+  /** The cells that are in no triangle, in ascending order. */
   std::vector<VertexId> cellsWithoutTriangles;
-  /** Cells with triangles whose surface is not a sphere, ascending. */
+  /** The cells with triangles whose surface is not a sphere, in ascending order. */
   std::vector<VertexId> cellsThatAreNoSphere;
-  /** Points where more than four cells meet, the exterior counted, as the triangles have it; ascending. */
+  /** The points where by the triangles more than four cells meet, the exterior counted, in ascending order. */
   std::vector<PointId> crowdedPoints;
-  /** Points whose WallMesh::numberOfCells is not what the triangles have; 0 where that list is empty. */
+  /** The number of points whose WallMesh::numberOfCells is not that of their triangles; 0 where that list is empty. */
   std::int64_t numberOfMiscountedPoints = 0;
-  /** Points in no triangle. */
+  /** The number of points that are in no triangle. */
   std::int64_t numberOfUnusedPoints = 0;
-  /** Triangles with a repeated point, or whose area is below 1e-12 of their longest edge squared (collinear points). */
+  /** The number of triangles with a repeated point, or with points that are collinear: the area is below 1e-12 of the
+   * longest edge squared. */
   std::int64_t numberOfDegenerateTriangles = 0;
 
-  /** No fault of any kind. */
+  /** Tells whether there is no fault of any kind. */
   bool
   IsSound() const
   {

@@ -17,10 +17,10 @@ namespace tissue
 struct Blob
 {
   Point position;
-  /** Standard deviation of the Gaussian that fits best, in the units of the position. A ball answers at its radius over
-   * the square root of 3. */
+  /** The standard deviation of the Gaussian that fits best, in the units of the position. A ball answers at its radius
+   * over the square root of 3. */
   double scale;
-  /** The normalized difference of Gaussians; positive. */
+  /** The normalized difference of Gaussians, which is positive. */
   double response;
 };
 
@@ -28,32 +28,34 @@ struct Blob
 double
 BlobRadius(double scale);
 
-/** Scales of the smallest and the largest blobs. */
+/** The scales of the smallest and the largest blobs. */
 struct BlobScaleRange
 {
   double minimum = 0.0;
   double maximum = 0.0;
 };
 
-/** \brief The scales of the blobs that an image is made of, from all maxima of its scale space, most of which may be
- * noise, the texture of the blobs, or groups of them.
+/** \brief Chooses the range of the scales of the blobs that an image is made of, from all maxima of its scale space.
+ * Most of these may be noise, the texture of the blobs, or groups of them.
  *
- * Half and twice the median scale, where each maximum counts by response^2 scale^3: what it explains of the image's
- * variance. That of noise falls by the third power of the scale. Both are 0 where there is no maximum. */
+ * The range goes from half to twice the median scale, where each maximum counts by response^2 scale^3, which is what it
+ * explains of the image's variance. The variance of noise falls by the third power of the scale. Both ends are 0 where
+ * there is no maximum. */
 BlobScaleRange
 ChooseBlobScales(std::vector<Blob> maxima);
 
-/** \brief The response that parts blobs from noise, from the responses of all maxima, most of which may be noise.
+/** \brief Chooses the response that parts blobs from noise, from the responses of all maxima, most of which may be
+ * noise.
  *
- * Otsu's threshold (N. Otsu 1979, doi:10.1109/TSMC.1979.4310076) of the responses' logarithms, of those above a
- * hundredth of the greatest: the two kinds differ by a factor, whatever the units of the image. Where the means of the
- * two are less than a factor of 3 apart there is one kind, and the threshold is the least response. 0 for less than two
- * responses. */
+ * This is Otsu's threshold (N. Otsu 1979, doi:10.1109/TSMC.1979.4310076) of the logarithms of those responses that are
+ * above a hundredth of the greatest: the two kinds differ by a factor, whatever the units of the image. Where the means
+ * of the two are less than a factor of 3 apart there is one kind only, and the threshold is the least response. It is 0
+ * for fewer than two responses. */
 double
 ChooseBlobThreshold(std::vector<double> responses);
 
-/** \brief Of every two blobs whose balls have more than `maximumOverlap`, 0 .. 1, of the smaller one's volume in
- * common, drops the one with the weaker response; the others come by falling response, equal ones by position. */
+/** \brief Drops the blob of the weaker response of every two whose balls have more than `maximumOverlap`, 0 .. 1, of
+ * the smaller one's volume in common. The others come by falling response, those of equal response by position. */
 std::vector<Blob>
 RemoveOverlappingBlobs(std::vector<Blob> blobs, double maximumOverlap);
 } // namespace tissue

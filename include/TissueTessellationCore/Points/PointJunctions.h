@@ -11,9 +11,10 @@
 
 namespace tissue
 {
-/** \brief The cells of a tissue of which the centres alone are known: without walls and junctions, and without volumes.
+/** \brief Makes the cells of a tissue of which the centres alone are known. The set has no walls and no junctions, and
+ * its cells have no volumes.
  *
- * \param labels of the cells, ascending; none is the exterior's.
+ * \param labels the labels of the cells, in ascending order; none may be the exterior's.
  * \throws std::invalid_argument for fewer than four points, numbers of points and labels that differ, labels that do
  * not ascend, one that is the exterior's, and coordinates that RequirePointRange() refuses. */
 JunctionSet

@@ -15,37 +15,41 @@
 
 namespace tissue
 {
-/** The box about the points, wider by the greatest distance of a point from its eight nearest.
+/** Gives the box about the points, wider on all sides by the greatest of their local spacings, the mean distances of
+ * their eight nearest.
  * \throws std::invalid_argument as EstimateTissue(). */
 Box
 PaddedBox(const std::vector<Point> & points);
 
-/** The grid that fills the box with about so many points to a cell, at least 50, and at most 5e8 in all.
- * \throws std::invalid_argument as EstimateTissue(), and for fewer, or for more in all. */
+/** Makes the grid that fills the box with about `voxelsPerCell` points to a cell, which must be at least 50. The grid
+ * has at most 5e8 points. \throws std::invalid_argument as EstimateTissue(), for fewer points to a cell, and for a grid
+ * of more points. */
 TissueGrid
 MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell);
 
-/** What centres of cells tell of their tissue. */
+/** The tissue that is estimated from the centres of its cells. */
 struct PointTissue
 {
-  /** The label image: i + 1 for the cell of point i, 0 for the exterior, in the order of the grid's points. */
+  /** The label image in the order of the grid's points, with label i + 1 for the cell of point i and 0 for the
+   * exterior.
+   */
   std::vector<std::int32_t> labels;
-  /** How sure it is which cells meet: vertex i + 1 is the cell of point i (TissueVotes.h). */
+  /** The votes on which cells meet (TissueVotes.h), where vertex i + 1 is the cell of point i. */
   std::vector<JunctionVote> votes;
 };
 
-/** \brief The tissue as its cells' centres tell it: where the tissue is, and the tessellation of it
- * that has its cells' centroids on the points.
+/** \brief Estimates a tissue from its cells' centres: its place, and the tessellation of it that has its cells'
+ * centroids on the points.
  *
  * Surface and cells are fitted jointly (TissueSurface.h, CentroidFit.h), first as if the points were exact. How far the
  * seeds go for it tells how exact they are: in the last sweeps the seeds are held back accordingly, and the votes doubt
  * the cells' shapes.
  *
- * In a grid of more than 700 points to a cell the fit takes only so many: small walls need fine labels, the fit does
- * not.
+ * Where the grid has more than 700 points to a cell, the fit takes a coarser one of as many: small walls need fine
+ * labels, the fit does not.
  *
  * Every point has a cell. The result does not depend on the number of threads.
- * \param grid of the box that is all there is of the tissue: what is outside of it is exterior, and cells may be cut by
+ * \param grid a grid of the box that was seen of the tissue: what is outside of it is exterior, and cells may be cut by
  * its sides.
  * \throws std::invalid_argument for fewer than four points, two at one place, all in one plane, one that is not finite
  * or not in the box.

@@ -14,7 +14,7 @@
 
 namespace tissue
 {
-/** A point with its own measure of distance: a far point is near along the directions of small eigenvalues. */
+/** A point with its own measure of distance, by which a far point is near along the directions of small eigenvalues. */
 struct MetricSeed
 {
   Point  position = { { 0.0, 0.0, 0.0 } };
@@ -23,16 +23,17 @@ struct MetricSeed
 
 /** \brief The tessellation that gives a point x to the seed s of the least (x - s)' M_s (x - s).
  *
- * With one metric for all seeds these are Voronoi cells; else walls are quadrics, and a cell may be in several pieces.
+ * With one metric for all seeds the cells are Voronoi cells. Otherwise walls are quadrics, and a cell may be in several
+ * pieces.
  *
- * A query is in two steps, the first for a ball of points, which makes the second cheap for each of them. Its answer
- * does not depend on the ball. */
+ * A query has two steps. The first finds the candidates for a ball of points, which makes the second cheap for each of
+ * the points. The answer does not depend on the ball. */
 class AnisotropicTessellation
 {
 public:
   using SeedId = std::int32_t;
 
-  /** At least one seed; metrics positive definite, which is not checked. */
+  /** There must be at least one seed, and the metrics must be positive definite, which is not checked. */
   explicit AnisotropicTessellation(std::vector<MetricSeed> seeds);
 
   const std::vector<MetricSeed> &
@@ -45,7 +46,7 @@ public:
   void
   FindCandidates(const Point & center, double radius, std::vector<SeedId> & candidates) const;
 
-  /** The nearest of the candidates, of several the one of the least index. At least one candidate. */
+  /** Finds the nearest of the candidates, of several the one of the least index. There must be a candidate. */
   SeedId
   FindNearest(const Point & point, const std::vector<SeedId> & candidates) const;
 
@@ -58,9 +59,9 @@ private:
   SortSeedsIntoBins();
 
   std::vector<MetricSeed> m_Seeds;
-  /** An upper bound, per seed, of the metric length of a unit vector. */
+  /** An upper bound for each seed of the length of a unit vector in its metric. */
   std::vector<double> m_LengthBounds;
-  /** A lower bound, for all seeds. */
+  /** A lower bound of the length of a unit vector in the metrics of all seeds. */
   double m_LeastLength = 0.0;
 
   Point                    m_Origin = { { 0.0, 0.0, 0.0 } };

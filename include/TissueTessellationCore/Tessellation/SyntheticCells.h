@@ -17,25 +17,25 @@ namespace tissue
 {
 struct SyntheticCellOptions
 {
-  /** At least 1. */
+  /** The number of cells, at least 1. */
   std::int32_t  numberOfCells = 1;
   std::uint64_t seed = 0;
-  /** Greatest ratio of the longest to the shortest axis of a founder's metric, at least 1. At 1 all have the same
-   * metric and are Voronoi cells; above it axes, ratio and size are random, each founder's its own. */
+  /** The greatest ratio of the longest to the shortest axis of a founder's metric, at least 1. At 1 all have the same
+   * metric and are Voronoi cells; above it each founder has random axes, ratio and size of its own. */
   double anisotropy = 1.0;
-  /** Cells before the first division, in [1, numberOfCells]. */
+  /** The number of cells before the first division, in [1, numberOfCells]. */
   std::int32_t numberOfFounders = 1;
 };
 
-/** \brief The cells of a synthetic tissue, as a tessellation.
+/** \brief Grows the cells of a synthetic tissue, as a tessellation.
  *
  * Founders tessellate the tissue, each with its seed about in its centroid (Lloyd's relaxation). Then cells divide, a
- * generation at a time, until there are as many as asked for: the largest but for the chance of their growth, across
- * one of their longer directions. After it every cell rounds off: its metric becomes that of its covariance, which
- * keeps size, length and flatness but not the corners. The tissue as a whole keeps its size: cells grow between two
- * divisions, and the frame with them.
+ * generation at a time, until there are as many as asked for. Those that divide are the largest, give or take the
+ * chance of their growth, and they divide across one of their longer directions. After a division all cells round off:
+ * the metric of each becomes that of its covariance, which keeps size, length and flatness but not the corners. The
+ * tissue as a whole keeps its size: cells grow between two divisions, and the frame with them.
  *
- * Every cell is the nearest of at least one sample.
+ * Every cell has at least one sample.
  * \throws std::runtime_error if there are fewer samples than cells, or no arrangement is found.
  * \throws Aborted where `execution` asks to stop. */
 AnisotropicTessellation

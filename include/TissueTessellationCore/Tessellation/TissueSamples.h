@@ -14,7 +14,7 @@
 
 namespace tissue
 {
-/** The points of a tissue, evenly spread and grouped into small balls. Each stands for a box about it. */
+/** Points of a tissue that are evenly spread and grouped into small balls. Each stands for a box about it. */
 struct TissueSamples
 {
   struct Group
@@ -26,11 +26,11 @@ struct TissueSamples
   std::vector<Point> points;
   /** Each group holds the points from the end of the group before it to its own end. */
   std::vector<Group> groups;
-  /** Sides of the boxes. */
+  /** The sides of the boxes. */
   Point boxSize = { { 1.0, 1.0, 1.0 } };
 };
 
-/** The seed of every sample, in their order. */
+/** Finds the nearest seed of every sample, in the order of the samples. */
 std::vector<AnisotropicTessellation::SeedId>
 AssignSamples(const AnisotropicTessellation & tessellation, const TissueSamples & samples,
               const Execution & execution = Execution());

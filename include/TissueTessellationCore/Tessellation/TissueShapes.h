@@ -12,8 +12,8 @@
 namespace tissue
 {
 /** \name Shapes of synthetic tissues
- * Whether a point is in the shape, which stands upright along the third axis in the cube [-1, 1]^3 and touches its six
- * sides.
+ * Each function tells whether a point is in the shape, which stands upright along the third axis in the cube [-1, 1]^3
+ * and touches its six sides.
  * @{ */
 
 /** A meristem: a high dome on a low, rounded base, 0.52 of the cube. */

@@ -18,6 +18,7 @@ namespace
 {
 using LabelledTriangle = LabelledTriangles::Triangle;
 
+/** Turns the triangle so that its first cell has the smaller vertex, and the exterior is the second. */
 LabelledTriangle
 Orient(LabelledTriangle triangle)
 {
@@ -59,7 +60,7 @@ Check(const LabelledTriangles & mesh)
   }
 }
 
-/** Of each point the first one at its place. */
+/** Finds for each point the first one at the same place. */
 std::vector<PointId>
 FindFirstAtPlace(const std::vector<Point> & points)
 {
@@ -129,6 +130,8 @@ FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctio
 WallMesh
 MakeWallMesh(const LabelledTriangles & mesh)
 {
+  // Oriented triangles of a wall have the same pair of cells, so that sorting by it groups them. Points that are in use
+  // are then numbered in their order, and walls begin where the pair changes.
   Check(mesh);
   std::vector<LabelledTriangle> triangles(mesh.triangles.size());
   std::transform(mesh.triangles.begin(), mesh.triangles.end(), triangles.begin(), Orient);

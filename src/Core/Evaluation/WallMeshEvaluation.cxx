@@ -23,7 +23,7 @@ namespace tissue
 {
 namespace
 {
-/** A point and a cell at it. */
+/** A point, and a cell that has a triangle at it. */
 using Incidence = std::pair<PointId, VertexId>;
 
 template <typename TValue>
@@ -34,7 +34,7 @@ SortUnique(std::vector<TValue> & values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/** Each once, by points, then by cells. */
+/** Lists all incidences, each once, ordered by points, then by cells. */
 std::vector<Incidence>
 CollectIncidences(const WallMesh & walls, VertexId numberOfVertices)
 {
@@ -56,7 +56,7 @@ CollectIncidences(const WallMesh & walls, VertexId numberOfVertices)
   return incidences;
 }
 
-/** Appends each four of the cells, which are ascending. */
+/** Appends each four of the cells, which must be in ascending order. */
 void
 AppendQuadruples(const std::vector<VertexId> & cells, std::vector<VertexQuadruple> & quadruples)
 {
@@ -128,7 +128,8 @@ ComputeOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQu
            Jaccard(static_cast<std::size_t>(commonQuadruples), quadruples.size(), reference.NumberOfQuadruples()) };
 }
 
-/** The points of the triangles of each cell, each once, ascending: equal ones are slow for exact predicates. */
+/** Lists the points of the triangles of each cell, each once and in ascending order, as exact predicates are slow where
+ * points are equal. */
 std::vector<std::vector<Point>>
 PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
 {
@@ -150,6 +151,8 @@ PointsOfCells(const WallMesh & walls, VertexId numberOfVertices)
   return points;
 }
 
+/** Judges the surface of each cell: its topology, its volume against the image's, and its volume against that of its
+ * convex hull. */
 void
 JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Execution & execution,
            WallMeshEvaluation & evaluation)
@@ -179,6 +182,7 @@ JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Execut
   }
 }
 
+/** Sums up what was found of the cells: counts over all of them, means and a percentile over those that are closed. */
 void
 SumUpCells(WallMeshEvaluation & evaluation)
 {

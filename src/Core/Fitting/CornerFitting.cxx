@@ -17,14 +17,22 @@ namespace tissue
 {
 namespace
 {
+/** How far a corner may move from its junction, in voxels. The spline reaches two voxels along each axis, so that the
+ * place of a corner much farther off cannot be told from the junction. */
 constexpr double Reach = 3.0;
+/** The least length of a triple line along its direction in the image, in voxels. It keeps corners apart that coincide
+ * or are in the wrong order, from which most crossings of the unfitted star come. */
 constexpr double LeastLength = 1.0;
-constexpr int    NumberOfDirectionUpdates = 6;
-constexpr int    SweepsPerDirection = 40;
-/** Below 1/2 the sweeps converge where a corner is at the end of several short lines. */
+/** How often the lines' directions are taken anew from the image, and the most sweeps between two of these times. With
+ * so many no line pointed the wrong way any more in the tissue they were tried on; sweeps end when all are long enough.
+ */
+constexpr int NumberOfDirectionUpdates = 6;
+constexpr int SweepsPerDirection = 40;
+/** The share of what a line lacks that each of its ends moves in a sweep. 1/2 would mend a line by itself at once; less
+ * converges where a corner is at the end of several short lines. */
 constexpr double Relaxation = 0.4;
 
-/** A triple line from one corner to another, by its cells counterclockwise seen from the second. */
+/** A triple line from one corner to another. Its cells come counterclockwise seen from the second. */
 struct CornerPair
 {
   PointId      from;
@@ -33,6 +41,7 @@ struct CornerPair
   Point        direction;
 };
 
+/** Finds the cell that two neighbouring corners have in common besides those of the wall; -1 if there is none. */
 VertexId
 ThirdCell(const VertexQuadruple & a, const VertexQuadruple & b, const VertexPair & wall)
 {
@@ -57,7 +66,7 @@ CollectLines(const DualMesh & dual, const std::vector<VertexQuadruple> & tetrahe
       const PointId  a = wall.corners[i];
       const PointId  b = wall.corners[(i + 1) % wall.corners.size()];
       const VertexId third = ThirdCell(tetrahedra[a], tetrahedra[b], wall.cells);
-      // A line is met in its three walls, and taken from one.
+      // A line is met in each of its three walls, and taken from one of them.
       if (third > wall.cells[0] && third > wall.cells[1])
       {
         lines.push_back({ a, b, { { wall.cells[0], wall.cells[1], third } }, {} });
@@ -67,6 +76,11 @@ CollectLines(const DualMesh & dual, const std::vector<VertexQuadruple> & tetrahe
   return lines;
 }
 
+/** Moves corners apart until every line is at least LeastLength long along its direction in the image.
+ *
+ * A line's direction is the tangent of its triple line in the image at its middle, one voxel long, so that the dot
+ * product with it, over its square, is a length in voxels. In a sweep the moves of all lines are summed up before any
+ * corner moves, which makes the result independent of the lines' order up to rounding. */
 void
 KeepApart(std::vector<CornerPair> & lines, const IndicatorField & field, std::vector<Point> & corners)
 {

@@ -15,13 +15,14 @@
 
 namespace tissue
 {
-/** \brief The corners of ComputeCorners() by the image's junctions, fitted below the voxel: each where the indicators
- * of its four cells are equal, then moved apart so that every triple line is at least a voxel long and runs from its
- * one corner to its other the way it does in the image.
+/** \brief Fits the corners of ComputeCorners() to the image more finely than its voxels.
  *
- * Corners of cells that have no junction in the image stay at the mean of the neighbouring corners. In the order of
- * AdjacencyComplex::GetTetrahedra(). `unfitted`, where given, lists the corners without a junction or whose
- * cells' indicators are nowhere equal within three voxels. */
+ * Each corner goes from its junction to where the indicators of its four cells are equal. Then corners are moved apart
+ * so that every triple line is at least a voxel long and runs from its one corner to the other as it does in the image.
+ * Corners of cells that have no junction in the image stay at the mean of the neighbouring corners.
+ *
+ * The corners are in the order of AdjacencyComplex::GetTetrahedra(). `unfitted`, where given, lists those that have no
+ * junction, or whose cells' indicators are nowhere equal within three voxels of it. */
 std::vector<Point>
 FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, const IndicatorField & field,
            std::vector<std::size_t> * unfitted = nullptr);

@@ -28,11 +28,13 @@ CountShared(const Triangle & a, const Triangle & b)
   return shared;
 }
 
-/** Whether two triangles that share an edge lie nearly on each other, within 5 degrees. */
+/** Tells whether two triangles that share an edge lie on each other to within 5 degrees.
+ *
+ * The angle is that between the directions from the edge, at right angles to it, to the two apexes. */
 bool
 IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
 {
-  constexpr double least = 0.996;
+  constexpr double least = 0.996; // This is the cosine of 5 degrees.
   PointId          ends[2] = { -1, -1 };
   PointId          apexA = -1;
   PointId          apexB = -1;
@@ -64,13 +66,14 @@ IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle &
   return Dot(across(apexA), across(apexB)) > least;
 }
 
+/** Tells whether two triangles cross, or, where they share an edge and so cannot, are folded onto each other. */
 bool
 IsFaulty(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
 {
   return CountShared(a, b) > 1 ? IsFolded(points, a, b) : TrianglesCross(points, a, b);
 }
 
-/** Marks the triangles that have a point at two places. */
+/** Marks the triangles of which a point is at two different places. */
 std::vector<unsigned char>
 MarkMoved(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there)
 {
@@ -91,10 +94,12 @@ std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
                       const Execution & execution)
 {
+  // Only pairs whose boxes, about all places from before to target, overlap can become faulty: they are collected once.
+  // In each round the movable points of the faulty pairs step back; then only pairs of changed triangles are tested.
   const std::vector<Point>        target = mesh.points;
   const std::vector<TrianglePair> pairs =
     CollectClosePairs(mesh, before, target, MarkMoved(mesh, before, target), execution);
-  // The number of steps back that each point took.
+  // The level of a point is the number of steps back that it took.
   std::vector<std::size_t>   level(mesh.points.size(), 0);
   std::vector<unsigned char> isChanged(mesh.triangles.size(), 1);
   std::vector<unsigned char> pointChanged(mesh.points.size(), 0);

@@ -13,11 +13,11 @@
 namespace tissue
 {
 
-/** \brief Takes back as much of a move of the mesh's points as makes triangles cross.
+/** \brief Takes back so much of a move of the mesh's points that it makes no triangles cross.
  *
- * `before` are the points before the move. The points of triangles that cross, or that fold onto a neighbour, and did
- * not before, go back to the next of `shares` of their way, which descend to 0, until there are none: a mesh without
- * crossings stays so. Returns the number of points that stepped back. */
+ * `before` has the points before the move. `shares` descend to 0. As long as triangles cross, or fold onto a neighbour,
+ * their points go back to the next of these shares of their way. A mesh without crossings thus stays so. Returns the
+ * number of points that stepped back. */
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
                       const Execution & execution = Execution());

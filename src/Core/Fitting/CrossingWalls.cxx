@@ -20,10 +20,15 @@ namespace tissue
 {
 namespace
 {
+/** How often walls that cross are smoothed before those that still do are put back, and in how many rounds each time.
+ * More of them would part a few walls more, but draw all of these farther from the image. */
 constexpr int MostSmoothings = 3;
 constexpr int RoundsPerSmoothing = 5;
 
-/** Few walls, at least one of each pair that crosses but none of `fixed`: those that cross most come first. */
+/** Chooses few walls, but of each pair that crosses at least one that is not in `fixed`.
+ *
+ * This is the greedy cover of a graph, whose edges are the pairs: the wall of the most partners is taken, which frees
+ * its partners of it, and so on until no wall has a partner. */
 std::vector<WallId>
 ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, const std::set<WallId> & fixed)
 {
@@ -41,7 +46,7 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
       partners[b].insert(a);
     }
   }
-  std::set<std::pair<std::ptrdiff_t, WallId>> byPartners; // most first, then the smaller wall
+  std::set<std::pair<std::ptrdiff_t, WallId>> byPartners; // Most partners come first, then smaller walls.
   const auto                                  rankOf = [&partners](WallId wall) {
     return std::make_pair(-static_cast<std::ptrdiff_t>(partners.at(wall).size()), wall);
   };
@@ -57,7 +62,7 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
     walls.push_back(wall);
     for (const WallId other : partners.at(wall))
     {
-      // Neither a fixed wall nor one that is chosen already.
+      // Fixed walls are not among the partners' keys, and chosen ones not in byPartners any more.
       if (partners.count(other) > 0 && byPartners.erase(rankOf(other)) > 0)
       {
         partners.at(other).erase(wall);
@@ -71,7 +76,7 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
   return walls;
 }
 
-/** Moves each point within the walls to the mean of its neighbours, in some rounds. */
+/** Moves each point within the walls to the mean of its neighbours, in RoundsPerSmoothing rounds. */
 void
 SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
 {
@@ -107,7 +112,7 @@ SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
 std::int64_t
 MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution)
 {
-  // Whatever still crosses after a change is one of the walls that were chosen, each time.
+  // Each time at least one wall of every crossing pair changes, so whatever crosses after it has a changed wall.
   std::vector<WallId> walls = ChooseWalls(mesh, FindCrossings(mesh, execution), {});
   for (int i = 0; i < MostSmoothings && !walls.empty(); ++i)
   {

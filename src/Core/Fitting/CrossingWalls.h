@@ -12,13 +12,14 @@
 
 namespace tissue
 {
-/** \brief Frees a mesh of the crossings that remeshing made: where walls cross, or one crosses itself, few of them are
- * smoothed, which unfolds a wall, and those that still cross then get their triangles of `old` back.
+/** \brief Frees a mesh of the crossings that remeshing made.
  *
- * The two meshes must agree in their points on lines and at corners, which come first in both, as RemeshWalls() leaves
- * them; these points stay. Nothing crosses afterwards where nothing did in `old`.
+ * Of walls that cross, as few as part all pairs are smoothed, which unfolds a wall; a wall may also cross itself. Those
+ * that still cross get their triangles of `old` back. The two meshes must agree in their points on lines and at
+ * corners, which come first in both, as RemeshWalls() leaves them; these points stay. Nothing crosses afterwards where
+ * nothing did in `old`.
  *
- * \return the number of walls as they are in `old`. */
+ * \return the number of walls that are as in `old` again. */
 std::int64_t
 MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution = Execution());
 } // namespace tissue

@@ -17,7 +17,7 @@ namespace tissue
 {
 namespace
 {
-/** The outline's points, by their numbers in the piece, in its order. */
+/** Lists the points of the outline, by their numbers in the piece, in the order in which the outline meets them. */
 std::vector<WallPatch::Vertex>
 OrderOfOutline(const WallPatch & patch)
 {
@@ -31,7 +31,11 @@ OrderOfOutline(const WallPatch & patch)
   return order;
 }
 
-/** The outline of a wall with what its chords cost. */
+/** The outline of a wall with what its chords cost.
+ *
+ * The penalty of a chord is the square of its midpoint's distance to the nearest of the wall's faces, in tolerances. It
+ * is infinite for a chord between two points that another wall has too: such a chord would be an edge of both. A
+ * triangle costs its area times 1 + the mean penalty of its edges. */
 class Outline
 {
 public:
@@ -88,6 +92,8 @@ private:
 std::vector<WallId>
 TriangulateFarOutlines(WallMesh & mesh, const ImagePlaces & faces, double tolerance, const Execution & execution)
 {
+  // Walls are cut out, and those far from their faces triangulated, one by one in parallel; then the mesh is joined
+  // anew if there is a new wall.
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   const WallsAtPoints            wallsAt(mesh);
   std::vector<WallPiece>         pieces(mesh.walls.size());

@@ -16,10 +16,13 @@ namespace tissue
 {
 namespace
 {
+/** The number of steps that are tried, each half of the one before: 1/4 to 1/64. Shorter ones would gain little. */
 constexpr int LineSearchSteps = 5;
-/** The longest step, in lengths of the shortest edge at the point. */
+/** The longest step, in lengths of the shortest edge at the point. Longer ones more often turn a triangle over. */
 constexpr double FirstStep = 0.25;
 
+/** \brief The moves of one sweep, with the triangles at each point in compressed rows: those of point p are at
+ * m_First[p] .. m_First[p + 1] of m_Triangles. */
 class Improvement
 {
 public:
@@ -29,7 +32,8 @@ public:
   Sweep(const Execution & execution);
 
 private:
-  using Corners = std::array<Point, 3>; // of a triangle, the point first
+  /** The corners of a triangle, beginning with the point that is to move. */
+  using Corners = std::array<Point, 3>;
 
   template <typename TFunction>
   void
@@ -56,7 +60,7 @@ private:
   std::vector<WallLine>             m_Lines;
   std::vector<std::vector<PointId>> m_PointsWithin;
   std::vector<std::int32_t>         m_First;
-  /** Three times the triangle, plus the point's place in it. */
+  /** Each entry is three times a triangle's index, plus the place of the row's point in it. */
   std::vector<std::int32_t> m_Triangles;
 };
 
@@ -99,7 +103,7 @@ Improvement::Sweep(const Execution & execution)
       this->MoveWithinWall(p);
     }
   });
-  // Triangles can join points of two lines.
+  // A triangle can join points of two lines, so that lines are not worked on in parallel.
   for (const WallLine & line : m_Lines)
   {
     for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
@@ -156,6 +160,7 @@ Improvement::MoveWithinWall(PointId point)
     gradient = gradient + TriangleDistortionGradient(t[0], t[1], t[2]);
     normal = normal + Cross(t[1] - t[0], t[2] - t[0]);
   });
+  // The steepest descent within the tangent plane is the gradient's part along the normal less the gradient.
   normal = Normalized(normal);
   this->SearchAlong(point, Normalized(Dot(gradient, normal) * normal - gradient));
 }

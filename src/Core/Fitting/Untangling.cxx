@@ -21,9 +21,12 @@ namespace tissue
 {
 namespace
 {
+/** The share of proposals that are taken where they leave the number of crossings as it is. Some must be, or a point
+ * would stay where no single move lowers it; with all of them points would drift. */
 constexpr double TieShare = 0.3;
 
-/** A point that may move, with what it can come to cross. */
+/** A point that may move: the box that it stays in, about its triangles; these triangles; their other points, one entry
+ * for each triangle; and all triangles that its own can come to cross. */
 struct LoosePoint
 {
   PointId                   point = -1;
@@ -33,6 +36,8 @@ struct LoosePoint
   std::vector<std::int32_t> close;
 };
 
+/** Makes a loose point of each corner of the crossing triangles, and collects its triangles, its neighbours and its box
+ * in one pass over the mesh. */
 std::vector<LoosePoint>
 CollectLoosePoints(const WallMesh & mesh, const std::vector<TrianglePair> & crossings)
 {
@@ -78,7 +83,10 @@ CollectLoosePoints(const WallMesh & mesh, const std::vector<TrianglePair> & cros
   return result;
 }
 
-/** Finds the triangles that each loose point's own can come to cross while all of them move within their reach. */
+/** Finds the triangles that each loose point's own can come to cross while all loose points stay within their reach.
+ *
+ * These are the triangles whose box, extended by the reach of their own loose points, overlaps the point's reach. One
+ * grid holds the boxes of all triangles and, after them, the reaches. */
 void
 FindClose(const WallMesh & mesh, std::vector<LoosePoint> & loose)
 {
@@ -112,6 +120,7 @@ FindClose(const WallMesh & mesh, std::vector<LoosePoint> & loose)
   }
 }
 
+/** Counts the pairs of one of the point's triangles and a close one that cross as they are now. */
 int
 CountCrossings(const WallMesh & mesh, const LoosePoint & entry)
 {
@@ -130,6 +139,8 @@ CountCrossings(const WallMesh & mesh, const LoosePoint & entry)
   return count;
 }
 
+/** Proposes eight places for a point: the mean of its neighbours, halfway to it, and two at random in each of three
+ * cubes about it, whose half edges are 5 %, 15 % and 50 % of the mean length of its edges. */
 std::vector<Point>
 Propose(const WallMesh & mesh, const LoosePoint & entry, Random & random)
 {
@@ -156,6 +167,7 @@ Propose(const WallMesh & mesh, const LoosePoint & entry, Random & random)
   return proposals;
 }
 
+/** Moves the point to the proposed place where its triangles cross the fewest others; see TieShare for ties. */
 void
 Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
 {
@@ -182,6 +194,9 @@ Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
 std::int64_t
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
 {
+  // A local search over the corners of the crossing triangles. They are few, so that all their moves are tested against
+  // one list of close triangles, and crossings in the whole mesh are looked for only after each sweep. A sweep searches
+  // a few times, as a point's best place depends on where the others went.
   constexpr int             searchesPerSweep = 3;
   Random                    random(1);
   std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);

@@ -12,11 +12,11 @@
 
 namespace tissue
 {
-/** \brief Moves the points of crossing triangles until none cross, by a local search: each point takes the place, of a
- * few about its neighbours' mean and at random, where its triangles cross the fewest others.
+/** \brief Moves the points of crossing triangles until none cross, by a local search: of some places towards its
+ * neighbours' mean and some at random, each point takes the one where its triangles cross the fewest others.
  *
- * For a mesh of few crossings (a fitted star). Deterministic. Returns the pairs that still cross after
- * `maximumSweeps`: 0 but for hopeless cases. */
+ * It is meant for a mesh of few crossings, such as a fitted star. The result is deterministic. Returns the number of
+ * pairs that still cross after `maximumSweeps`, which is 0 except in hopeless cases. */
 std::int64_t
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution = Execution());
 } // namespace tissue

@@ -14,7 +14,7 @@
 namespace tissue
 {
 
-/** \brief The least displacement of all points that gives every cell its volume, to first order.
+/** \brief Moves all points by the least displacement that gives every cell its volume, to first order.
  *
  * A pressure in each cell moves its walls outwards; the pressures solve a sparse system by conjugate gradients. A
  * cell's volume changes by at most `largestShare` of the wanted one. `volumes` are by vertex; a cell whose wanted

@@ -16,12 +16,18 @@ namespace tissue
 {
 namespace
 {
-/** The spline's support, beyond which the cells' indicators tell nothing. */
-constexpr double      Reach = 3.0;
-constexpr double      CornerShare = 0.5;
+/** How far a point may move to where its cells' indicators are equal, in voxels. The spline reaches two voxels along
+ * each axis, so that a place much farther off cannot be told from where the point is. */
+constexpr double Reach = 3.0;
+/** The share of the way to its given place that a corner goes in one move. Moves are repeated, and the points about the
+ * corner follow between them; a whole step would leave them behind and turn triangles over. */
+constexpr double CornerShare = 0.5;
+/** The number of walls and lines that a thread takes at a time: enough to make up for the handing out, and few enough
+ * for all threads to end together. */
 constexpr std::size_t GroupsPerTask = 64;
 
-/** The places of the image that are nearer to a point than to the others of its group. */
+/** The places of the image that are nearer to a point than to the others of its group: their sum, the sum of their
+ * distances to the point, and their number. */
 struct NearPlaces
 {
   Point        sum{ { 0.0, 0.0, 0.0 } };
@@ -35,6 +41,7 @@ ToPoint(const ImagePlaces::Place & place)
   return { { place[0], place[1], place[2] } };
 }
 
+/** Gives each place of the image to the nearest point of the group. */
 std::vector<NearPlaces>
 Assign(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const std::vector<PointId> & group,
        const std::vector<Point> & points)
@@ -70,7 +77,7 @@ Nearest(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const 
   }));
 }
 
-/** The cells at each point of a line. */
+/** Finds the three cells at each point of a line. */
 std::map<PointId, VertexTriple>
 CellsOfLinePoints(const WallMesh & mesh)
 {
@@ -132,7 +139,7 @@ WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
     m_Lines.push_back(
       { { { c[0], c[1], c[2], -1 } }, 3, 0.0, pointsOf[c], m_LinePlaces.Begin(l), m_LinePlaces.End(l) });
   }
-  // As the mesh's points are, so that what is near in the tissue is near in memory.
+  // The lines come in the order of the mesh's points, so that what is near in the tissue is near in memory.
   std::sort(m_Lines.begin(), m_Lines.end(), [](const Group & a, const Group & b) {
     return a.points.front() < b.points.front();
   });
@@ -141,6 +148,8 @@ WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
 void
 WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edgeLengths)
 {
+  // Each wall makes a group, of the points within it and its faces in the image. The groups of the lines are kept from
+  // the constructor, and only get their edge length anew: the least of their three walls'.
   std::map<VertexPair, double> lengthOf;
   m_Groups.assign(mesh.walls.size(), {});
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
@@ -193,6 +202,8 @@ WallProjection::MoveGroup(const Group & group, WallMesh & mesh) const
   {
     return;
   }
+  // A point follows the indicators, but where the places nearest to it are far, or no indicator reaches it, it goes to
+  // their centroid, and to the single nearest place if it has none.
   const std::vector<NearPlaces> near = Assign(group.begin, group.end, group.points, mesh.points);
   for (std::size_t i = 0; i < group.points.size(); ++i)
   {

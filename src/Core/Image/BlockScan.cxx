@@ -13,8 +13,9 @@ namespace tissue
 {
 namespace
 {
-/** The cells of the four voxels at one side of a block, as far as most blocks need: those at a wall hold two cells and
- * are of no interest. All tests are without branches. */
+/** The smallest and the largest cell of the four voxels at one side of a block, and whether there is a third. Most
+ * blocks need no more: those within a cell or at a wall hold one or two cells and are not recorded. The tests have no
+ * branches. */
 struct Side
 {
   VertexId smallest;
@@ -33,7 +34,7 @@ struct Side
   }
 };
 
-/** Whether a block holds three cells or more. */
+/** Tells whether a block holds three cells or more. */
 bool
 HaveThreeCells(const Side & left, const Side & right)
 {
@@ -68,7 +69,7 @@ FindCells(const VertexId * voxels, int numberOfVoxels, std::array<VertexId, 8> &
   }
 }
 
-/** Sum of begin, ..., end - 1. */
+/** The sum of the integers begin, ..., end - 1. */
 std::int64_t
 SumOfRange(std::int64_t begin, std::int64_t end)
 {
@@ -111,7 +112,7 @@ BlockScan::EndRow()
   {
     if (m_Y == 0)
     {
-      // All exterior, and so is the same row of the plane before.
+      // The row is all exterior, and so is the same row of the plane before.
       m_Current.runs.front().piece = m_Previous.runs.front().piece;
     }
     else
@@ -160,12 +161,14 @@ BlockScan::MarkBorderCells()
 void
 BlockScan::ScanRow()
 {
+  // Four rows are scanned side by side, from one end of a run in any of them to the next. Between two such places all
+  // blocks are alike, so faces and blocks are counted by their number; at each place the block across it is examined.
   const auto rowOf = [](Plane & plane, std::int32_t y) { return plane.runs.data() + plane.rowBegins[y]; };
-  // The runs at the rows of the block, the row to scan last.
+  // These are the current runs of the four rows; the row to be scanned is the last.
   std::array<Run *, 4> runs = {
     { rowOf(m_Previous, m_Y - 1), rowOf(m_Previous, m_Y), rowOf(m_Current, m_Y - 1), rowOf(m_Current, m_Y) }
   };
-  // The voxels at the left side of the block in these rows, then those at its right side.
+  // The first four voxels are those of the rows at the left side of the block, the others those at its right side.
   std::array<VertexId, 8> voxels;
   voxels.fill(ExteriorVertex);
   Side         left(voxels.data());
@@ -173,7 +176,7 @@ BlockScan::ScanRow()
   std::int32_t ownBegin = 0;
   for (;;)
   {
-    // No row changes from begin to end.
+    // From begin to end each row stays in one run.
     const std::int32_t end = std::min(std::min(runs[0]->end, runs[1]->end), std::min(runs[2]->end, runs[3]->end));
     this->Connect(1, *runs[2], *runs[3], begin, end);
     this->Connect(2, *runs[1], *runs[3], begin, end);

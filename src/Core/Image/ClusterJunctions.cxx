@@ -15,7 +15,8 @@ namespace
 using Quadruple = BlockScan::Quadruple;
 using QuadrupleIterator = std::vector<Quadruple>::const_iterator;
 
-/** Blocks of one cluster are chained by steps of at most this many voxels along each axis. */
+/** Blocks of one cluster are chained by steps of at most this many voxels along each axis. With 2 one block between may
+ * lack a cell, as ragged boundaries have it, and the junction still is at one place. */
 constexpr std::int32_t Reach = 2;
 
 bool
@@ -24,14 +25,14 @@ IsBefore(const BlockScan::Index & a, const BlockScan::Index & b)
   return std::lexicographical_compare(a.crbegin(), a.crend(), b.crbegin(), b.crend());
 }
 
-/** Clusters of the blocks [begin, end), which are in raster order. */
+/** Puts the blocks [begin, end), which must be in raster order, into clusters. */
 DisjointSets
 FindClusters(QuadrupleIterator begin, QuadrupleIterator end)
 {
   DisjointSets clusters(end - begin);
   for (auto block = begin; block != end; ++block)
   {
-    // The neighbours before the block: a few rows, in each of which they are consecutive.
+    // The neighbours that come before the block are in a few rows, in each of which they are consecutive.
     for (std::int32_t z = block->corner[2] - Reach; z <= block->corner[2]; ++z)
     {
       const std::int32_t lastY = block->corner[1] + (z < block->corner[2] ? Reach : 0);
@@ -52,7 +53,10 @@ FindClusters(QuadrupleIterator begin, QuadrupleIterator end)
   return clusters;
 }
 
-/** The junction of the blocks [begin, end), which are all blocks of one quadruple in raster order. */
+/** Makes the junction of the blocks [begin, end), which must be all blocks of one quadruple, in raster order.
+ *
+ * The blocks are clustered, as the same four cells may meet at several places; the junction is at the mean of the
+ * corners of its largest cluster. */
 Junction
 MakeJunction(QuadrupleIterator begin, QuadrupleIterator end)
 {
@@ -83,7 +87,7 @@ MakeJunction(QuadrupleIterator begin, QuadrupleIterator end)
     std::count_if(clusters.cbegin(), clusters.cend(), [](const Cluster & c) { return c.numberOfBlocks > 0; }));
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The padded corner c is between the image's voxels c - 2 and c - 1.
+    // The padded corner c lies between the image's voxels c - 2 and c - 1.
     junction.position[axis] =
       static_cast<double>(largest->sum[axis]) / static_cast<double>(largest->numberOfBlocks) - 1.5;
   }

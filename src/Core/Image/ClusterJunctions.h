@@ -14,8 +14,8 @@
 
 namespace tissue
 {
-/** The junctions of the given quadruples of cells (any order, as vertices of the complex), in ascending order;
- * positions as continuous indices. */
+/** Gives the junctions of the quadruples, in ascending order of their cells. The quadruples may come in any order;
+ * their cells are vertices of the complex. Positions are continuous indices of the image. */
 std::vector<Junction>
 ClusterJunctions(std::vector<BlockScan::Quadruple> quadruples);
 } // namespace tissue

@@ -17,10 +17,10 @@ namespace
 {
 using Scans = std::vector<const BlockScan *>;
 
-/** For each scan, the vertex of each of its cells. */
+/** The vertices of each scan's cells, by the scan's own numbers of them. */
 using VertexMaps = std::vector<std::vector<VertexId>>;
 
-/** The first of 0, -1, -2, ... that is none of the given labels, which are sorted. */
+/** Finds the first of 0, -1, -2, ... that is none of the given labels, which must be sorted. */
 Label
 FindFreeLabel(const std::vector<Label> & labels)
 {
@@ -32,6 +32,8 @@ FindFreeLabel(const std::vector<Label> & labels)
   return label;
 }
 
+/** Makes a cell of each label that any scan met, in ascending order after the exterior, and marks those that have a
+ * voxel on the border. Returns the maps from the scans' numbers to these vertices. */
 VertexMaps
 MakeCells(const Scans & scans, const ExteriorLabels & exterior, std::vector<Cell> & cells)
 {
@@ -68,7 +70,8 @@ MakeCells(const Scans & scans, const ExteriorLabels & exterior, std::vector<Cell
   return maps;
 }
 
-/** The pieces of the whole image, as sets of the scans' pieces one scan after the other. */
+/** Joins the scans' pieces to those of the whole image. The elements of the sets are the pieces of all scans, one scan
+ * after the other. */
 DisjointSets
 JoinPieces(const Scans & scans)
 {
@@ -84,7 +87,8 @@ JoinPieces(const Scans & scans)
     }
     if (i > 0)
     {
-      // The last plane of a scan is the first of the next one: the same runs, there the first pieces.
+      // The last plane of a scan is fed to the next one as its first: the runs are the same, and their pieces there are
+      // the first ones.
       const auto & runs = scans[i - 1]->GetLastRuns();
       for (std::size_t run = 0; run < runs.size(); ++run)
       {
@@ -96,6 +100,7 @@ JoinPieces(const Scans & scans)
   return sets;
 }
 
+/** Sums up each piece of the image, at the place of its set's root; all other entries stay empty. */
 std::vector<BlockScan::Piece>
 SumPieces(const Scans & scans, const VertexMaps & maps, DisjointSets & sets)
 {
@@ -117,10 +122,12 @@ SumPieces(const Scans & scans, const VertexMaps & maps, DisjointSets & sets)
   return pieces;
 }
 
+/** Takes from the pieces what they tell of the cells: numbers of voxels and pieces, the centroid of the largest piece,
+ * and how many voxels are astray, outside of it. Padded coordinates are one more than indices. */
 void
 MeasureCells(const std::vector<BlockScan::Piece> & pieces, const BlockScan::Index & size, std::vector<Cell> & cells)
 {
-  // Of pieces of one size the first in raster order is the largest.
+  // Of several largest pieces the first in raster order is taken.
   std::vector<const BlockScan::Piece *> largest(cells.size(), nullptr);
   std::int64_t                          voxelsOfCells = 0;
   for (Cell & cell : cells)
@@ -150,7 +157,8 @@ MeasureCells(const std::vector<BlockScan::Piece> & pieces, const BlockScan::Inde
         static_cast<double>(largest[i]->sum[axis]) / static_cast<double>(largest[i]->numberOfVoxels) - 1.0;
     }
   }
-  // The exterior's first piece is the one around the image, whose border of padding is not counted.
+  // Piece 0 is the exterior around the image and includes the padding. What is not in it is astray; the number of the
+  // exterior's voxels is what the cells leave of the image, without the padding.
   Cell & exterior = cells[ExteriorVertex];
   exterior.numberOfStrayVoxels = exterior.numberOfVoxels - pieces[0].numberOfVoxels;
   exterior.numberOfVoxels = static_cast<std::int64_t>(size[0]) * size[1] * size[2] - voxelsOfCells;
@@ -168,6 +176,8 @@ ToVertices(std::array<VertexId, VLength> cells, const std::vector<VertexId> & ma
   return cells;
 }
 
+/** Makes a wall of its faces' sums. A face is half a voxel below the voxel of which the sums hold the padded
+ * coordinates; faces weigh by their area. */
 Wall
 MakeWall(const BlockScan::WallTable::Entry & entry, const Point & spacing)
 {
@@ -269,6 +279,8 @@ JunctionSet
 GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point & spacing,
                 const ExteriorLabels & exterior)
 {
+  // Cells come first, as they give all else its numbers. The walls then tell which cells touch the exterior or a void,
+  // after which the voids, the last of the cells, are set apart.
   JunctionSet      set;
   const VertexMaps maps = MakeCells(scans, exterior, set.cells);
   DisjointSets     pieceSets = JoinPieces(scans);

@@ -14,9 +14,14 @@ namespace tissue
 {
 namespace
 {
-constexpr int    NumberOfNewtonSteps = 8;
+/** The most Gauss-Newton steps. Each is a voxel long at most and callers let a point move by three, so that most of the
+ * steps are left to converge. */
+constexpr int NumberOfNewtonSteps = 8;
+/** The least indicator, of 0 .. 1, by which a cell is near a point. With less, its voxels are at the rim of the
+ * spline's support, where the gradient says little about the place of the cell's boundary. */
 constexpr double LeastIndicator = 0.01;
 
+/** The four voxels along an axis that the cubic B-spline weighs at a coordinate, from the index `first` on. */
 struct Spline
 {
   int                   first;
@@ -24,6 +29,8 @@ struct Spline
   std::array<double, 4> derivatives;
 };
 
+/** The four cubic pieces of the uniform B-spline at x = floor(x) + t, and their derivatives; s = 1 - t mirrors them.
+ * The weights add up to 1. */
 Spline
 SplineAt(double x)
 {
@@ -40,7 +47,10 @@ SplineAt(double x)
   return spline;
 }
 
-/** Solves the symmetric positive definite system of one to three unknowns, slightly damped, in place. */
+/** Solves a x = b in place for a symmetric positive semidefinite matrix and one to three unknowns; x replaces b.
+ *
+ * A thousandth of the trace is added to the diagonal, which keeps the solution short where the gradients are nearly
+ * dependent. Then follows Gaussian elimination; a positive definite matrix needs no pivots. */
 void
 SolveDamped(std::array<std::array<double, 3>, 3> & a, std::array<double, 3> & b, int n)
 {
@@ -96,6 +106,8 @@ IndicatorField::LengthInVoxels(const Point & vector) const
 IndicatorField::Sample
 IndicatorField::Evaluate(const Point & point, const VertexQuadruple & cells, int count) const
 {
+  // An indicator is the sum over its cell's voxels, of the 4 x 4 x 4 about the point, of the product of the three
+  // splines. Gradients are summed along the axes of the image; the rows of m_Inverse then turn them into physical ones.
   const Point          offset = point - m_Volume.origin;
   const Spline         x = SplineAt(Dot(m_Inverse[0], offset));
   const Spline         y = SplineAt(Dot(m_Inverse[1], offset));
@@ -136,6 +148,9 @@ IndicatorField::Evaluate(const Point & point, const VertexQuadruple & cells, int
 bool
 IndicatorField::Project(Point & point, const VertexQuadruple & cells, int count, double reach) const
 {
+  // Gauss-Newton for f_c(p) = f_0(p), c = 1 .. count - 1. With J the rows grad f_c - grad f_0 and r = f_0 - f_c, the
+  // shortest of all moves m with J m = r is J' (J J')^-1 r: across a wall or a line, not along it. Steps are cut to one
+  // voxel, and end when one is below a thousandth of a voxel.
   const int equations = count - 1;
   Point     p = point;
   for (int step = 0; step < NumberOfNewtonSteps; ++step)
@@ -199,6 +214,7 @@ IndicatorField::LineDirection(const Point & point, const VertexTriple & cells) c
       return { { 0.0, 0.0, 0.0 } };
     }
   }
+  // Along the line the three indicators stay equal, so it is at right angles to the gradients of their differences.
   return Cross(sample.gradients[1] - sample.gradients[0], sample.gradients[2] - sample.gradients[0]);
 }
 } // namespace tissue

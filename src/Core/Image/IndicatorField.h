@@ -13,33 +13,34 @@ namespace tissue
 {
 /** \brief The indicators of the cells of a label image, each smoothed by a cubic B-spline of the voxels.
  *
- * At every point the indicators of all cells and the exterior add up to 1. Where two are equal is the wall of two
- * cells, without a staircase; where three or four are, a triple line or a corner. */
+ * At every point the indicators of all cells and the exterior add up to 1. The wall of two cells is where their
+ * indicators are equal, without the voxels' staircase; a triple line is where three are equal, a corner where four are.
+ */
 class IndicatorField
 {
 public:
   struct Sample
   {
     std::array<double, 4> values = { { 0.0, 0.0, 0.0, 0.0 } };
-    /** Along the physical axes. */
+    /** The gradients along the physical axes. */
     std::array<Point, 4> gradients = {};
   };
 
   /** The volume must outlive the field. */
   explicit IndicatorField(const LabelVolume & volume);
 
-  /** The indicators of the first `count` cells at a physical point; at most four. */
+  /** The indicators of the first `count` cells, at most four, at a physical point. */
   Sample
   Evaluate(const Point & point, const VertexQuadruple & cells, int count) const;
 
-  /** Moves the point where the indicators of the `count` cells, two to four, are equal, by Gauss-Newton steps of least
-   * length. False, with the point as it was, where the cells are not near, or it would move by more than `reach`
-   * voxels. */
+  /** Moves the point to where the indicators of the `count` cells, two to four, are equal, by Gauss-Newton steps of
+   * least length. Returns false, and leaves the point as it was, where one of the cells is not near or the point would
+   * move by more than `reach` voxels. */
   bool
   Project(Point & point, const VertexQuadruple & cells, int count, double reach) const;
 
-  /** The direction of the triple line of three cells that are met counterclockwise seen from its tip; not normalized,
-   * zero where one of the cells is not near. */
+  /** The direction of the triple line of three cells: seen from its tip they come counterclockwise. It is not
+   * normalized, and zero where one of the cells is not near. */
   Point
   LineDirection(const Point & point, const VertexTriple & cells) const;
 

@@ -23,7 +23,7 @@ BeginOfRow(const LabelRuns & labels, std::size_t row)
   return row == 0 ? 0 : labels.endOfRow[row - 1];
 }
 
-/** Calls visit(run, run, faces) for the runs of two rows that have voxel faces in common. */
+/** Calls visit(run, run, faces) for each two runs of two rows that have voxel faces in common. */
 template <typename TVisitor>
 void
 VisitContactsOfRows(const LabelRuns & labels, std::size_t row, std::size_t otherRow, const TVisitor & visit)
@@ -42,7 +42,7 @@ VisitContactsOfRows(const LabelRuns & labels, std::size_t row, std::size_t other
   }
 }
 
-/** The same for all runs of the image, each pair of runs once. */
+/** Calls visit(run, run, faces) for each two runs of the image that have voxel faces in common, once a pair. */
 template <typename TVisitor>
 void
 VisitContacts(const LabelRuns & labels, const TVisitor & visit)
@@ -64,7 +64,7 @@ VisitContacts(const LabelRuns & labels, const TVisitor & visit)
   }
 }
 
-/** The pieces of a label image: sets of runs, each known by its first run. */
+/** The face-connected pieces of a label image. Each is a set of runs and known by its first run. */
 class Pieces
 {
 public:
@@ -108,7 +108,10 @@ private:
   std::vector<RunId> m_Parent;
 };
 
-/** Of every piece, by its first run, whether it keeps its label. */
+/** Tells, by the first run of each piece, whether it keeps its label.
+ *
+ * One pass over the runs sums up the pieces' sizes and finds those of the exterior that touch the border of the image;
+ * a second one finds each cell's largest piece. */
 std::vector<bool>
 FindKeptPieces(const LabelRuns & labels, const Pieces & pieces, Label exterior)
 {
@@ -145,10 +148,10 @@ FindKeptPieces(const LabelRuns & labels, const Pieces & pieces, Label exterior)
   return isKept;
 }
 
-/** Faces that a fragment has in common with each of the pieces about it. */
+/** The numbers of faces that a fragment has in common with each of the pieces about it. */
 using Contacts = std::map<RunId, std::int64_t>;
 
-/** The label of the most faces among the contacts whose label is settled; false if none is. */
+/** Chooses the label of the most faces among the contacts whose label is settled. Returns false if none is. */
 bool
 ChooseLabel(const Contacts & contacts, const std::map<RunId, Label> & settled, Label & chosen)
 {
@@ -171,7 +174,7 @@ ChooseLabel(const Contacts & contacts, const std::map<RunId, Label> & settled, L
   return true;
 }
 
-/** The new label of every fragment. Fragments within fragments wait for those about them. */
+/** Finds the new label of every fragment, in rounds: fragments within fragments wait for those about them. */
 std::map<RunId, Label>
 ResolveFragments(std::map<RunId, Contacts> fragments, std::map<RunId, Label> settled)
 {
@@ -202,6 +205,8 @@ ResolveFragments(std::map<RunId, Contacts> fragments, std::map<RunId, Label> set
 std::int64_t
 MergeFragments(LabelRuns & labels, Label exterior)
 {
+  // Pieces that do not keep their label are fragments. Their faces with all other pieces are counted; labels
+  // then spread from the kept pieces inwards, and the runs of the fragments take them.
   const Pieces              pieces(labels);
   const std::vector<bool>   isKept = FindKeptPieces(labels, pieces, exterior);
   std::map<RunId, Contacts> fragments;

@@ -16,6 +16,7 @@ namespace tissue
 {
 namespace
 {
+/** Finds the crossing pairs of which one triangle at least is marked, in ascending order. */
 std::vector<TrianglePair>
 FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, const Execution & execution)
 {
@@ -32,7 +33,7 @@ FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & 
   return crossings;
 }
 
-/** Marks the given walls and those whose boxes overlap theirs; at least one wall. */
+/** Marks the given walls, of which there must be one at least, and those whose boxes overlap theirs. */
 std::vector<unsigned char>
 MarkNearWalls(const WallMesh & mesh, const std::vector<unsigned char> & isGiven)
 {
@@ -67,6 +68,8 @@ std::vector<TrianglePair>
 CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
                   const std::vector<unsigned char> & isMarked, const Execution & execution)
 {
+  // The box of a triangle holds its points at both places. A grid finds the boxes that overlap, layer by layer in
+  // parallel; the layers' pairs are joined in order, so that the result is the same for any number of threads.
   if (mesh.triangles.empty())
   {
     return {};
@@ -117,7 +120,8 @@ FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, c
   {
     isOf[wall] = 1;
   }
-  // They are few: of all other triangles only those of walls that are near them count.
+  // The given walls are few, so only triangles of walls near them are tested. They are copied to a mesh of their own,
+  // and the pairs found there get their triangles' numbers in the whole mesh back.
   const std::vector<unsigned char> isNear = MarkNearWalls(mesh, isOf);
   WallMesh                         near;
   std::vector<unsigned char>       isMarked;

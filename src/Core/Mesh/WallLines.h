@@ -16,9 +16,9 @@ namespace tissue
 /** \brief Where three walls meet, from one corner to another: the dual of a triangle of the complex. */
 struct WallLine
 {
-  /** From the corner of the smaller index to the other; at least two. */
+  /** The points from the corner of the smaller index to the other corner, which are at least these two. */
   std::vector<PointId> points;
-  /** Ascending. */
+  /** The three walls, in ascending order. */
   std::array<WallId, 3> walls = { { 0, 0, 0 } };
 };
 

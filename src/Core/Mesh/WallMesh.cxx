@@ -47,6 +47,7 @@ CellsOfWalls(const WallMesh & mesh)
 void
 RequireConsistentIndices(const WallMesh & mesh, VertexId numberOfVertices)
 {
+  // The lengths of the lists come first, as the indices are then read by them.
   const std::int64_t numberOfTriangles = mesh.triangles.size();
   const std::int64_t numberOfPoints = mesh.points.size();
   const std::int64_t numberOfWalls = mesh.walls.size();
@@ -54,7 +55,7 @@ RequireConsistentIndices(const WallMesh & mesh, VertexId numberOfVertices)
   {
     Refuse("the number of vertices", numberOfVertices, "at least 1, the exterior");
   }
-  // Half-edges are numbered with 32 bits.
+  // Half-edges, three to a triangle, are numbered with 32 bits.
   constexpr std::int64_t maximalNumberOfTriangles = std::numeric_limits<std::uint32_t>::max() / 3;
   if (numberOfTriangles > maximalNumberOfTriangles)
   {

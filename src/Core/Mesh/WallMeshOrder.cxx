@@ -17,6 +17,7 @@ namespace tissue
 {
 namespace
 {
+/** Sorts the walls by the ranks of their cells; of equals the one that came first stays first. */
 std::vector<WallId>
 SortWalls(const WallMesh & mesh, const std::vector<VertexId> & ranks)
 {

@@ -29,6 +29,8 @@ WallPatch::WallPatch(std::vector<Point> points, const std::vector<std::array<Ver
 void
 WallPatch::FindTwins()
 {
+  // Sorted by their edges, the two half-edges of an edge are neighbours. A half-edge without a twin is on the outline,
+  // and is the one by which its vertex is left.
   const auto edgeOf = [this](HalfEdge h) { return std::make_pair(std::min(From(h), To(h)), std::max(From(h), To(h))); };
   m_Twin.assign(m_From.size(), None);
   m_Leaving.assign(m_Points.size(), None);
@@ -88,7 +90,8 @@ WallPatch::AreJoined(Vertex a, Vertex b) const
 WallPatch::Vertex
 WallPatch::Split(HalfEdge h, const Point & point)
 {
-  // (a, b, c) and (b, a, d) become (a, m, c), (m, b, c), (b, m, d), (m, a, d).
+  // The triangles (a, b, c) and (b, a, d) become (a, m, c), (m, b, c), (b, m, d), (m, a, d). The first and the third
+  // keep their place; the others are new.
   const HalfEdge g = m_Twin[h];
   const Vertex   b = To(h);
   const Vertex   a = From(h);
@@ -125,7 +128,7 @@ WallPatch::Split(HalfEdge h, const Point & point)
 void
 WallPatch::Flip(HalfEdge h)
 {
-  // (a, b, c) and (b, a, d) become (c, d, b) and (d, c, a).
+  // The triangles (a, b, c) and (b, a, d) become (c, d, b) and (d, c, a), in the same places.
   const HalfEdge                g = m_Twin[h];
   const Vertex                  a = From(h);
   const Vertex                  b = To(h);
@@ -135,7 +138,7 @@ WallPatch::Flip(HalfEdge h)
   const std::array<HalfEdge, 4> twins{ { m_Twin[old[0]], m_Twin[old[1]], m_Twin[old[2]], m_Twin[old[3]] } };
   const HalfEdge                first = h - h % 3;
   const HalfEdge                second = g - g % 3;
-  // Leaving half-edges of the outline have no twin, so they are among the four, and go where their edge goes.
+  // A leaving half-edge of the outline has no twin, so it is one of the four and goes where its edge goes.
   const std::array<HalfEdge, 4> now{ { first + 2, second + 1, second + 2, first + 1 } };
   const std::array<Vertex, 4>   from{ { b, c, a, d } };
   this->SetTriangle(first, c, d, b);
@@ -150,7 +153,7 @@ WallPatch::Flip(HalfEdge h)
   {
     const HalfEdge leaving = m_Leaving[from[i]];
     const bool     ofTheTwo = leaving / 3 == first / 3 || leaving / 3 == second / 3;
-    // A leaving half-edge of the outline that is in another triangle stays.
+    // The leaving half-edge of a vertex of the outline stays where it is in another triangle.
     if (twins[i] == None || (ofTheTwo && from[i] >= m_OutlineSize))
     {
       m_Leaving[from[i]] = now[i];

@@ -15,14 +15,15 @@ namespace tissue
 {
 /** \brief The triangles of one wall as half-edges, to be changed in place: a disk before and after every operation.
  *
- * Half-edge 3 t + k runs from corner k of triangle t to the next one. Vertices of the outline come first, and stay;
- * the others can be made and removed. Numbers are never used again until Compact(). */
+ * Half-edge 3 t + k runs from corner k of triangle t to the next one. The vertices of the outline come first, and stay;
+ * the others can be made and removed. No number is used again before Compact(). */
 class WallPatch
 {
 public:
   using HalfEdge = std::int32_t;
   using Vertex = std::int32_t;
 
+  /** What stands for no half-edge and for no vertex: numbers of both are 0 or more. */
   static constexpr HalfEdge None = -1;
 
   WallPatch(std::vector<Point> points, const std::vector<std::array<Vertex, 3>> & triangles, Vertex outlineSize);
@@ -53,7 +54,7 @@ public:
   {
     return m_From[Previous(h)];
   }
-  /** The half-edge in the other direction, None on the outline. */
+  /** The half-edge of the same edge in the other direction; None on the outline. */
   HalfEdge
   Twin(HalfEdge h) const
   {
@@ -100,13 +101,14 @@ public:
     m_Points[v] = point;
   }
 
-  /** A half-edge that leaves the vertex; on the outline the one along it. */
+  /** A half-edge that leaves the vertex. For a vertex of the outline it is the one along the outline. */
   HalfEdge
   Leaving(Vertex v) const
   {
     return m_Leaving[v];
   }
-  /** The next one that leaves the same vertex, counterclockwise: None after the last of a vertex of the outline. */
+  /** The next half-edge, counterclockwise, that leaves the same vertex. It is None after the last one of a vertex of
+   * the outline. */
   HalfEdge
   NextAround(HalfEdge h) const
   {
@@ -128,20 +130,20 @@ public:
   bool
   AreJoined(Vertex a, Vertex b) const;
 
-  /** A new vertex on the edge, which has a twin: four triangles for two. */
+  /** Puts a new vertex on the edge, which must have a twin, and makes four triangles of two. */
   Vertex
   Split(HalfEdge h, const Point & point);
 
-  /** The other diagonal of the two triangles at the edge. The four corners may not be joined otherwise. */
+  /** Replaces the edge by the other diagonal of its two triangles, whose ends must not be joined already. */
   void
   Flip(HalfEdge h);
 
-  /** Whether Collapse(h) keeps a disk of proper triangles: From(h) is no vertex of the outline, and has no other
-   * neighbour in common with To(h) than the corners opposite to the edge. */
+  /** Tells whether Collapse(h) keeps a disk of proper triangles: From(h) must not be a vertex of the outline, nor have
+   * another neighbour in common with To(h) than the two corners opposite to the edge. */
   bool
   CanCollapse(HalfEdge h) const;
 
-  /** Moves From(h) to To(h), where it vanishes with the two triangles at the edge. */
+  /** Moves From(h) to To(h), where it vanishes together with the two triangles at the edge. */
   void
   Collapse(HalfEdge h);
 
@@ -149,7 +151,7 @@ public:
   void
   Compact();
 
-  /** Of a compact patch. */
+  /** The corners of all triangles. The patch must be compact. */
   std::vector<std::array<Vertex, 3>>
   Triangles() const;
 

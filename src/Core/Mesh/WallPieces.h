@@ -17,9 +17,9 @@ namespace tissue
 /** \brief The triangles of one wall, with the numbers of its own points: first those of its outline. */
 struct WallPiece
 {
-  /** Points of the mesh on the wall's outline, ascending. */
+  /** The points of the mesh on the wall's outline, in ascending order. */
   std::vector<PointId> outline;
-  /** Positions of the points within the wall. */
+  /** The positions of the points within the wall. */
   std::vector<Point>                       interior;
   std::vector<std::array<std::int32_t, 3>> triangles;
 };
@@ -40,8 +40,7 @@ MakePatch(const WallMesh & mesh, const WallPiece & piece);
 void
 TakePatch(const WallPatch & patch, WallPiece & piece);
 
-/** The pieces in the place of the walls of `mesh`, of which the points on lines and at corners remain, and come first.
- */
+/** Puts the pieces in the place of the walls of `mesh`. Its points on lines and at corners remain, and come first. */
 WallMesh
 JoinWallPieces(const WallMesh & mesh, const std::vector<WallPiece> & pieces);
 } // namespace tissue

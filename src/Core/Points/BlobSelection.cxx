@@ -17,7 +17,7 @@ namespace tissue
 {
 namespace
 {
-/** The share of the smaller ball that is in the other one. */
+/** Gives the share of the smaller ball's volume that is in the other ball. */
 double
 Overlap(double radius, double other, double distance)
 {
@@ -31,7 +31,7 @@ Overlap(double radius, double other, double distance)
   {
     return 1.0;
   }
-  // The lens of two spherical caps.
+  // What the balls have in common is a lens of two spherical caps.
   const double sum = smaller + larger - distance;
   const double difference = larger - smaller;
   const double lens =
@@ -49,6 +49,8 @@ BlobRadius(double scale)
 BlobScaleRange
 ChooseBlobScales(std::vector<Blob> maxima)
 {
+  // The weighted median is the scale at which half of the sum of all weights is reached. The range goes from it by a
+  // factor of two down and up.
   constexpr double factor = 2.0;
   std::sort(maxima.begin(), maxima.end(), [](const Blob & a, const Blob & b) {
     return std::tie(a.scale, a.response) < std::tie(b.scale, b.response);
@@ -74,6 +76,11 @@ ChooseBlobScales(std::vector<Blob> maxima)
 double
 ChooseBlobThreshold(std::vector<double> responses)
 {
+  // Otsu's method on the sorted logarithms, without a histogram: of all cuts into the first k and the other n - k the
+  // one of the greatest variance between the two, k (n - k) times the squared difference of their means. The threshold
+  // is halfway between the two responses at the cut, in logarithms.
+  // Responses weaker than a hundredth of the greatest would draw the cut into the noise, so they are left out. Means
+  // closer than a factor of 3 are those of a single kind, which is not to be cut in two.
   constexpr double leastShare = 0.01;
   constexpr double leastFactor = 3.0;
   std::sort(responses.begin(), responses.end());
@@ -123,7 +130,8 @@ RemoveOverlappingBlobs(std::vector<Blob> blobs, double maximumOverlap)
   {
     largest = std::max(largest, BlobRadius(blob.scale));
   }
-  // Balls that overlap have their centres in the same box of this side, or in two that touch.
+  // The strongest blobs are kept first, so that each blob is compared with kept ones only. Balls that overlap have
+  // their centres in the same box of this side, or in two boxes that touch.
   const double                                             side = std::max(2.0 * largest, 1e-300);
   std::map<std::array<std::int64_t, 3>, std::vector<Blob>> boxes;
   std::vector<Blob>                                        kept;

@@ -12,15 +12,18 @@ namespace tissue
 {
 namespace
 {
-/** In units of the local spacing. */
+/** The distance of a centre to a side, in units of the local spacing, below which the cell is taken to be cut by it. A
+ * whole cell reaches about half the spacing from its centre. */
 constexpr double SideDistance = 0.4;
-/** Between the side and the plane that is mirrored at, so that no centre comes to lie on its image. */
+/** The distance from the side to the plane that is mirrored at is half of this, in units of the local spacing: little,
+ * but enough that no centre comes to lie on its image. */
 constexpr double MirrorGap = 0.02;
 } // namespace
 
 MirroredCenters
 MirrorAtSides(const std::vector<Point> & points, const std::vector<double> & spacings, const Box & box)
 {
+  // The axes follow one another, and images made for one are mirrored for the next, as edges and corners need it.
   MirroredCenters centers{ { { { 0.0, 0.0, 0.0 } } }, spacings, {} };
   centers.positions.insert(centers.positions.end(), points.begin(), points.end());
   for (std::size_t v = 0; v < centers.positions.size(); ++v)

@@ -14,22 +14,23 @@
 
 namespace tissue
 {
-/** Cell centres as the positions of vertices, after the exterior's, and then the mirror images of some of them. */
+/** The positions of vertices: that of the exterior, which means nothing, the cells' centres, and the mirror images of
+ * some of these. */
 struct MirroredCenters
 {
   std::vector<Point> positions;
-  /** The local spacing of each; 0 of the exterior. */
+  /** The local spacing at each position; that of the exterior is 0. */
   std::vector<double> spacings;
-  /** The vertex whose image each is, itself where it is none. */
+  /** The vertex of which each position is an image; its own number where it is not an image. */
   std::vector<std::size_t> originals;
 };
 
 /** Mirrors centres at the sides of a box. A cell whose centre is nearer to a side than 0.4 of the local spacing is
- * taken to be cut by it: there are others beyond, and the images stand for them. At the box's edges and corners images
- * have images. No two positions are the same, if those of the points are not.
+ * taken to be cut by it. There are other cells beyond, and the images stand for them. At the box's edges and corners
+ * images have images. No two positions are the same if no two points are.
  *
- * \param points in the box.
- * \param spacings by vertices, the exterior's first (LocalSpacing.h). */
+ * \param points the centres, all in the box.
+ * \param spacings the local spacings by vertices, the exterior's first (LocalSpacing.h). */
 MirroredCenters
 MirrorAtSides(const std::vector<Point> & points, const std::vector<double> & spacings, const Box & box);
 } // namespace tissue

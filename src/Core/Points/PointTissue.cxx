@@ -26,26 +26,33 @@ namespace tissue
 {
 namespace
 {
+/** The fewest voxels of the mean cell. With fewer, small cells would have next to none. */
 constexpr double LeastVoxelsPerCell = 50.0;
-/** Some gigabytes. */
+/** The most voxels of a grid, which take some gigabytes. */
 constexpr double MostVoxels = 5e8;
-/** More make the fit no better, only the labels that come of it. */
+/** The most voxels a cell in the fit. More would make the fit no better, only the labels that come of it. */
 constexpr double VoxelsPerCellOfFit = 700.0;
-/** The cube of the mean distance of the eight nearest is so many times the volume of a cell, in plant tissues. */
+/** The cube of the local spacing, the mean distance of the eight nearest, over the volume of a cell in plant tissues.
+ */
 constexpr double CubedSpacingOfCell = 1.17;
-constexpr int    NumberOfRounds = 5;
-constexpr int    SweepsPerRound = 3;
-constexpr int    LastSweeps = 10;
-/** Of the progress: the votes take as long as so many sweeps. */
+/** How often the surface follows the seeds, and the sweeps of the fit before each time. Seeds move a part of their way
+ * in a sweep, so that some are needed for them to show where the surface should be. */
+constexpr int NumberOfRounds = 5;
+constexpr int SweepsPerRound = 3;
+/** The sweeps of the fit within the final surface. About ten are enough: many more change the adjacencies little, for
+ * better or worse. */
+constexpr int LastSweeps = 10;
+/** The sweeps that take as long as the votes, for the progress. */
 constexpr int SweepsOfVotes = 40;
-/** Fewer inner cells than these do not tell the noise. */
+/** The fewest inner cells whose shifts tell how exact the points are; with fewer, those of all cells do. */
 constexpr std::size_t LeastInnerCells = 20;
 
-/** \brief How far seeds are to be drawn back to points that are not quite the centroids.
+/** \brief Tells how far seeds are to be drawn back to points that are not quite the centroids.
  *
- * Displaced points are no tissue's centroids, and the seeds have to go farther for it. In units of the local spacing
- * the median shift is .105 .. .142 for exact points of real and synthetic tissues, .145 .. .185 for points displaced by
- * a tenth of the cells' diameter (root mean square), .197 .. .248 by a fifth. */
+ * Displaced points are no tissue's centroids, and seeds have to go farther to make them so. In units of the local
+ * spacing the median shift is .105 .. .142 for exact points of real and synthetic tissues, .145 .. .185 for points that
+ * are displaced by a tenth of the cells' diameter (root mean square), .197 .. .248 for a fifth. Hence seeds are free up
+ * to a shift of .115 and drawn back all the way from .182 on. */
 double
 RelaxationOf(double shift)
 {
@@ -54,7 +61,8 @@ RelaxationOf(double shift)
   return std::clamp(growth * (shift - shiftOfExactPoints), 0.0, 1.0);
 }
 
-/** Of the seeds, by how far they are drawn back, which tells how exact the points are. */
+/** The uncertainty of the seeds' places for the votes, in units of the local spacing. It grows from .02 to .045 with
+ * how far the seeds are drawn back, which tells how exact the points are. */
 double
 UncertaintyOf(double relaxation)
 {
@@ -63,9 +71,9 @@ UncertaintyOf(double relaxation)
   return uncertaintyOfExactPoints + growth * relaxation;
 }
 
-/** How much the shapes are in doubt, by the same shift: not at all up to .175, wholly from .215 on. Points displaced by
- * a tenth of the cells' diameter still show how neighbours are drawn out alike; those displaced by a fifth may as well
- * show what is not there. */
+/** How much the cells' shapes are in doubt, by the median shift of the seeds: not at all up to .175, wholly from .215
+ * on. Points displaced by a tenth of the cells' diameter still show how neighbours are drawn out alike; those displaced
+ * by a fifth may as well show what is not there. */
 double
 ShapeDoubtOf(double shift)
 {
@@ -88,7 +96,7 @@ RefusePointsOutOfRange(const std::vector<Point> & points)
   RequirePointRange(points, [](std::size_t i) { return "point " + std::to_string(i); });
 }
 
-/** A local spacing for each point, after the exterior's. */
+/** Gives the local spacings, first the exterior's, then one for each point. */
 std::vector<double>
 SpacingsOf(const std::vector<Point> & points)
 {
@@ -132,7 +140,7 @@ SpacingsOf(const TissueSurface & surface, std::size_t numberOfPoints)
   return spacings;
 }
 
-/** The grid to fit cells in: the same box, no more than enough points. */
+/** Makes the grid in which the cells are fitted. It fills the same box, with VoxelsPerCellOfFit at most. */
 TissueGrid
 FitGridOf(const std::vector<Point> & points, const TissueGrid & grid)
 {
@@ -151,7 +159,7 @@ MeanSpacing(const std::vector<double> & spacings)
   return sum / static_cast<double>(spacings.size() - 1);
 }
 
-/** How far the seeds of inner cells are from their points, in units of the local spacing: the median. */
+/** Gives the median distance of the seeds of inner cells from their points, in units of the local spacing. */
 double
 MedianShift(const CentroidFit & fit, const std::vector<Point> & points, const TissueSurface & surface)
 {
@@ -169,7 +177,7 @@ MedianShift(const CentroidFit & fit, const std::vector<Point> & points, const Ti
   return Median(std::move(inner.size() >= LeastInnerCells ? inner : all));
 }
 
-/** A grid point for each point that has none: its own, unless another cell has no other. */
+/** Gives each point without a grid point the one it lies at, unless that is the only one of another cell. */
 void
 PlantLostCells(std::vector<std::int32_t> & labels, const TissueGrid & grid, const std::vector<Point> & points)
 {
@@ -243,6 +251,9 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
 {
   RefusePointsOutOfRange(points);
   RefusePointsOutside(points, grid);
+  // First cells and surface are fitted in turn, as if the points were exact; how far the seeds went for it then tells
+  // how far they are drawn back in the last sweeps, and how unsure the votes are. Fit and votes work on a grid as
+  // coarse as they need; in the end the seeds label the fine one.
   TissueSurface    surface(points, BoxOf(grid));
   CentroidFit      fit(points, surface.FindNeighbors());
   const TissueGrid fitGrid = FitGridOf(points, grid);

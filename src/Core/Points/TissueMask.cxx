@@ -15,7 +15,7 @@ namespace tissue
 {
 namespace
 {
-/** A tetrahedron of cells, or a surface triangle with the depths of its corners. */
+/** A tetrahedron of cells, or a surface triangle with the depths of its corners, and the box of what it fills. */
 struct Solid
 {
   std::array<Point, 4>  corners;
@@ -24,7 +24,7 @@ struct Solid
   Box                   box;
 };
 
-/** The slice of the grid, some planes high, that one thread fills. */
+/** \brief A slice of the grid, some planes high, that one thread fills. */
 class MaskSlab
 {
 public:
@@ -34,6 +34,8 @@ public:
     , m_End(end)
   {}
 
+  /** Marks the grid points in a tetrahedron: those whose barycentric coordinates are all 0 or more. The gradients are
+   * of three of these, which grow linearly from the first corner. */
   void
   AddTetrahedron(const Solid & solid)
   {
@@ -69,8 +71,8 @@ public:
     }
   }
 
-  /** Balls, the radius of each linear between the corners' depths, so close that no grid point falls between, or what
-   * falls between is less than a seventieth of the radius deep. */
+  /** Marks the grid points in balls along a triangle, whose radii are linear between the corners' depths. The balls are
+   * a grid step apart, or a third of their radius, where the dents between them are a seventieth of the radius deep. */
   void
   AddTriangle(const Solid & solid)
   {
@@ -123,7 +125,7 @@ private:
     std::int32_t last;
   };
 
-  /** Of the slab's grid points along an axis those within a distance of a position; none where last < first. */
+  /** Gives the slab's grid points along an axis that are within a distance of a position; none where last < first. */
   Range
   RangeOf(int axis, double center, double distance) const
   {
@@ -146,6 +148,8 @@ private:
   std::int32_t m_End;
 };
 
+/** Makes a solid of each tetrahedron, a surface triangle of one with the exterior. The boxes of triangles are wider by
+ * the greatest depth of their corners. */
 std::vector<Solid>
 CollectSolids(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<double> & depths)
 {
@@ -177,11 +181,14 @@ CollectSolids(const AdjacencyComplex & complex, const std::vector<Point> & cente
   return solids;
 }
 
-/** What the sides of the box cannot be reached from becomes tissue. */
+/** Makes tissue of all from where the sides of the box cannot be reached.
+ *
+ * A flood from the points at the sides, through the neighbours along the axes, marks what is outside; the rest is
+ * tissue. */
 void
 FillVoids(TissueMask & mask)
 {
-  constexpr std::uint8_t   outside = 2;
+  constexpr std::uint8_t   outside = 2; // The mask itself has 0 and 1 only.
   std::vector<std::size_t> open;
   const auto               visit = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
     std::uint8_t & value = mask.inside[mask.grid.Offset(x, y, z)];
@@ -237,7 +244,7 @@ TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                    const std::vector<double> & depths, const TissueGrid & grid, const Execution & execution)
 {
-  constexpr std::int32_t   planesAtATime = 4;
+  constexpr std::int32_t   planesAtATime = 4; // Thin slices share the work well, thick ones save looking at all solids.
   const std::vector<Solid> solids = CollectSolids(complex, centers, depths);
   TissueMask               mask{ grid, std::vector<std::uint8_t>(grid.NumberOfPoints(), 0) };
   execution.For((mask.grid.size[2] + planesAtATime - 1) / planesAtATime, [&](std::size_t part) {
@@ -261,6 +268,8 @@ EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & 
 TissueSamples
 SampleMask(const TissueMask & mask)
 {
+  // The samples of each cube of 4 x 4 x 4 grid points make a group. Seeds are looked up once for the ball about it, so
+  // that larger groups have more seeds to compare, and smaller ones more look-ups.
   constexpr std::int32_t brick = 4;
   TissueSamples          samples;
   samples.boxSize = mask.grid.steps;

@@ -17,7 +17,7 @@
 
 namespace tissue
 {
-/** Where a tissue is, by the points of a grid. */
+/** The place of a tissue, by the points of a grid. */
 struct TissueMask
 {
   TissueGrid grid;
@@ -27,18 +27,18 @@ struct TissueMask
 
 /** \brief Estimates where a tissue is from the centres of its cells alone.
  *
- * It is what lies within the tetrahedra of a cleaned complex, or nearer to its surface triangles than their corners'
- * depths; what this encloses on all sides belongs to it, what is outside of the box does not.
+ * The tissue is all that lies within the tetrahedra of a cleaned complex, or nearer to its surface triangles than their
+ * corners' depths. What this encloses on all sides belongs to it, what is outside of the box does not.
  *
- * \param complex cleaned (CleanSurface()).
- * \param depths of the surface below each vertex, 0 for those that are not at it (TissueSurface.h).
- * \param grid of the box and as fine as the mask is to be. */
+ * \param complex the cells' complex, cleaned by CleanSurface().
+ * \param depths how far each vertex is below the surface; 0 for those that are not at it (TissueSurface.h).
+ * \param grid a grid that fills the box and is as fine as the mask is to be. */
 TissueMask
 EstimateTissueMask(const AdjacencyComplex & complex, const std::vector<Point> & centers,
                    const std::vector<double> & depths, const TissueGrid & grid,
                    const Execution & execution = Execution());
 
-/** The grid points in the tissue, in small groups. */
+/** Gives the grid points in the tissue, in small groups. */
 TissueSamples
 SampleMask(const TissueMask & mask);
 } // namespace tissue

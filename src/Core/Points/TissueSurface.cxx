@@ -19,17 +19,25 @@ namespace tissue
 {
 namespace
 {
-/** Lengths in units of the local spacing: of a surface triangle's edges, at most. */
+/** The greatest length of a surface triangle's edge, in units of the local spacing. Of the rules tried for cleaning a
+ * complex of points alone this one kept most adjacencies, by a little. */
 constexpr double MaximumEdgeLength = 1.5;
-/** Depths, at first and ever. */
+/** The bounds of depths, in units of the local spacing: the greatest first one, and the least and the greatest of all.
+ * A ball-shaped cell has a depth of about a half. They limit what the joint fit can do to a single cell. */
 constexpr double MostOfFirstDepth = 0.6;
 constexpr double LeastDepth = 0.15;
 constexpr double MostDepth = 0.8;
+/** The first depth over the height of the centre above those of the neighbours below: half, as if all cells were
+ * equally thick. */
 constexpr double DepthOfHeight = 0.5;
-/** A neighbour is below where the line to it is so steep, as a cosine. */
+/** The least cosine of the angle between the normal and the line from a neighbour that counts as below: the line is
+ * within 72 degrees of the normal. Neighbours beside the cell tell nothing of its height. */
 constexpr double SteepestCosine = 0.3;
-/** Of the seed's way along the normal. */
+/** How much a depth changes over how far the seed is off its point along the normal; as in the step of the seeds
+ * (CentroidFit), less than the whole damps the joint fit. */
 constexpr double DepthStep = 0.7;
+/** The share of a depth that is taken from its neighbours' mean, at first, where depths are guesses, and after each
+ * step of the fit. */
 constexpr double FirstEvenness = 0.5;
 constexpr double Evenness = 0.3;
 
@@ -54,8 +62,8 @@ CleanedComplex(const MirroredCenters & centers)
   return complex;
 }
 
-/** Of each cell at the surface of the complex, the unit normal out of the tissue, by the areas of its surface
- * triangles; of others zero. */
+/** Gives each cell at the surface of the complex its unit normal out of the tissue, the mean of its surface triangles'
+ * normals by their areas. The normals of all other cells are zero. */
 std::vector<Point>
 SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & centers)
 {
@@ -79,7 +87,7 @@ SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & cent
   return normals;
 }
 
-/** By vertices at the surface, the heights of their centres above those of their neighbours below. */
+/** Collects for each vertex at the surface the heights of its centre above those of its neighbours below. */
 std::vector<std::vector<double>>
 CollectHeights(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
 {

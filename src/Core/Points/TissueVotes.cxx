@@ -17,21 +17,25 @@ namespace tissue
 {
 namespace
 {
+/** The number of tessellations that vote. The time grows with it, the steps in which a share is known become finer. */
 constexpr std::size_t NumberOfVotes = 32;
-/** Between two reports of progress. */
+/** The votes between two reports of progress. They are worked on in parallel, so there should be some for each thread.
+ */
 constexpr std::size_t VotesAtATime = 16;
-/** In units of a seed's uncertainty: of the logarithm of its metric, and of the part of it that is the seed's size. */
+/** The deviations of the entries of a metric's logarithm, and of what is added to its diagonal as the seed's size, in
+ * units of the seed's uncertainty. The first goes with a deviation of .12 at .05 spacings. */
 constexpr double MetricUncertainty = 2.4;
 constexpr double SizeUncertainty = 3.0;
 
-/** A random number of mean 0 and deviation 1. */
+/** Draws a random number of mean 0 and deviation 1, uniform in its range. */
 double
 Deviate(Random & random)
 {
   return std::sqrt(12.0) * (random.Uniform() - 0.5);
 }
 
-/** A seed a little off, its metric drawn to that of a ball by a share of the way. */
+/** Makes a seed that is a little off, its metric drawn to that of a ball by `roundness` of the way. Metrics are
+ * disturbed by their logarithms, which keeps them positive definite. */
 MetricSeed
 Disturbed(MetricSeed seed, double spacing, double uncertainty, double roundness, Random & random)
 {
@@ -53,7 +57,10 @@ Disturbed(MetricSeed seed, double spacing, double uncertainty, double roundness,
   return seed;
 }
 
-/** The quadruples of cells that meet, ascending. */
+/** Finds the quadruples of cells that meet in the label image, each once and in ascending order.
+ *
+ * The image is fed to the scan for junctions run by run, with the border that it needs around it; then the scan's
+ * numbers of the cells become labels, which are vertices. */
 std::vector<VertexQuadruple>
 FindQuadruples(const std::vector<Label> & labels, const TissueGrid & grid)
 {
@@ -94,6 +101,7 @@ FindQuadruples(const std::vector<Label> & labels, const TissueGrid & grid)
   return quadruples;
 }
 
+/** Counts how often each quadruple comes. */
 std::vector<JunctionVote>
 CountVotes(std::vector<VertexQuadruple> all)
 {
@@ -116,6 +124,8 @@ VoteOnJunctions(const std::vector<MetricSeed> & seeds, const std::vector<double>
                 const TissueSamples & samples, const TissueGrid & grid, double uncertainty, double shapeDoubt,
                 const Execution & execution)
 {
+  // Each vote has a random generator of its own number: disturb all seeds, assign the samples to them, and list which
+  // cells meet. A batch of votes is made in parallel, and gathered in their order.
   std::vector<std::size_t> offsets;
   offsets.reserve(samples.points.size());
   for (const Point & point : samples.points)

@@ -14,17 +14,17 @@
 
 namespace tissue
 {
-/** Size, centre and shape of a cell that is given by points. */
+/** The size, centre and shape of a cell that is given by points. */
 struct CellMoments
 {
   std::size_t numberOfPoints = 0;
   Point       mean = { { 0.0, 0.0, 0.0 } };
-  /** Of the boxes about the points, so that it is positive definite. */
+  /** The covariance of the boxes about the points, which is positive definite. */
   Metric covariance = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
 };
 
-/** The moments of all cells, in the order of their indices; all zero but for the box where a cell has no point.
- * \param boxSize Sides of the box that each point stands for. */
+/** Measures the moments of all cells, in the order of their indices. Where a cell has no point they are zero, except
+ * for the part of the box in the covariance. \param boxSize the sides of the box that each point stands for. */
 std::vector<CellMoments>
 MeasureCells(const std::vector<Point> & points, const std::vector<std::int32_t> & cellOfPoint,
              std::size_t numberOfCells, const Point & boxSize);

@@ -40,16 +40,21 @@ SmoothMetrics(std::vector<Metric> metrics, const CellNeighbors & neighbors, int 
 
 namespace
 {
+/** The shape of a ball: a deviator of zero. */
 constexpr Metric NoShape = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+/** The share of the way from its cell's centroid to its point that a seed moves in a sweep. Less than the whole damps
+ * the fit, as neighbours move at the same time. */
 constexpr double SeedStep = 0.7;
+/** The share of the way to its new value that the logarithm of a metric goes in a sweep. It damps the fit, too. */
 constexpr double MetricMixing = 0.3;
-/** How much of its own shape a cell's metric takes on, and of the shapes about it. From about 0.5 on a cell's own shape
- * feeds itself, a shape that many cells have in common does not. */
+/** How much of its own shape a cell's metric takes on, and how much of the shapes about it. From about 0.5 on a cell's
+ * own shape would feed itself; a shape that many cells have in common does not. */
 constexpr double SelfAnisotropy = 0.1;
 constexpr double CommonAnisotropy = 0.8;
-constexpr int    SmoothingPasses = 3;
+/** The passes of averaging over neighbours that make the common shape, which so is that of some fifty cells. */
+constexpr int SmoothingPasses = 3;
 
-/** The shape of a cell, of whatever size it is: the deviator of the logarithm of its covariance. */
+/** Gives the shape of a cell whatever its size: the deviator of the logarithm of its covariance. */
 Metric
 ShapeOf(const Metric & covariance)
 {

@@ -23,11 +23,13 @@ namespace
 {
 using SeedId = AnisotropicTessellation::SeedId;
 
-/** Enough for even founders; more would only make them more alike. */
+/** The sweeps of relaxation of the founders. They are enough for even founders; more would only make these more alike.
+ */
 constexpr int numberOfFounderSweeps = 8;
-/** Sweeps to give every cell a sample; one is nearly always enough. */
+/** The most sweeps to give every cell a sample. One is nearly always enough. */
 constexpr int numberOfRepairSweeps = 50;
-/** A cell divides across the longest of so many random directions: about the shortest way, never quite. */
+/** The number of random directions of which a cell divides across the longest. With three the wall takes about the
+ * shortest way, but never quite. */
 constexpr int numberOfDirections = 3;
 
 double
@@ -36,7 +38,7 @@ DrawBetween(double lower, double upper, Random & random)
   return lower + (upper - lower) * random.Uniform();
 }
 
-/** A unit vector, uniform on the sphere. */
+/** Draws a unit vector, uniformly on the sphere: the direction of a point in the unit ball, but not too near 0. */
 Point
 DrawDirection(Random & random)
 {
@@ -54,7 +56,8 @@ DrawDirection(Random & random)
   }
 }
 
-/** Of axes a, 1 and 1 / a in random directions, times a random size. */
+/** Draws a metric whose unit ball has axes of lengths a, 1 and 1 / a in random directions, times a random size. The
+ * ratio a * a of the longest to the shortest is at most the anisotropy. */
 Metric
 DrawMetric(double anisotropy, Random & random)
 {
@@ -79,19 +82,19 @@ DrawMetric(double anisotropy, Random & random)
   return metric;
 }
 
-/** The tissue while it grows: a seed for each cell, and the samples' cells by the last count. */
+/** \brief The tissue while it grows: a seed for each cell, and the samples' cells when they were last assigned. */
 class GrowingTissue
 {
 public:
   GrowingTissue(const TissueSamples & samples, const SyntheticCellOptions & options);
 
-  /** One sweep of Lloyd's relaxation. */
+  /** Does one sweep of Lloyd's relaxation. */
   void
   RelaxFounders();
   /** Divides as many cells as needed, at most all, and lets all round off. */
   void
   DivideCells();
-  /** The tessellation, with a sample for every cell. */
+  /** Gives the tessellation, once every cell has a sample. */
   AnisotropicTessellation
   Finish();
 
@@ -126,7 +129,7 @@ GrowingTissue::GrowingTissue(const TissueSamples & samples, const SyntheticCellO
   , m_Seeds(static_cast<std::size_t>(options.numberOfFounders))
   , m_CellOfSample(samples.points.size())
 {
-  // Distinct samples, by the start of a shuffle.
+  // The first samples of a shuffle are distinct.
   std::vector<std::size_t> order(samples.points.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   for (std::size_t i = 0; i < m_Seeds.size(); ++i)
@@ -188,7 +191,7 @@ GrowingTissue::RelaxFounders()
   this->CenterSeeds(false);
 }
 
-/** The largest cells but for the chance of their growth. */
+/** Chooses the largest cells, their sizes varied by up to 30 % for the chance of their growth. */
 std::vector<std::size_t>
 GrowingTissue::ChooseMothers(const std::vector<CellMoments> & cells)
 {
@@ -207,7 +210,8 @@ GrowingTissue::ChooseMothers(const std::vector<CellMoments> & cells)
   return mothers;
 }
 
-/** The cell divides near its centroid, across the longest of some random directions. */
+/** Draws the plane by which a cell divides: near its centroid, by up to a fifth of its deviation there, and across the
+ * longest of some random directions. */
 void
 GrowingTissue::DrawPlane(const CellMoments & cell, Point & normal, double & offset)
 {

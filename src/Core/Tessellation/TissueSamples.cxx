@@ -14,7 +14,8 @@ std::vector<AnisotropicTessellation::SeedId>
 AssignSamples(const AnisotropicTessellation & tessellation, const TissueSamples & samples, const Execution & execution)
 {
   using SeedId = AnisotropicTessellation::SeedId;
-  // Groups are small: a thread takes many at a time.
+  // A group is small, so that a thread takes many at a time; its ball tells which seeds its samples have to be compared
+  // with.
   constexpr std::size_t groupsAtATime = 256;
   std::vector<SeedId>   cells(samples.points.size());
   execution.For((samples.groups.size() + groupsAtATime - 1) / groupsAtATime, [&](std::size_t batch) {

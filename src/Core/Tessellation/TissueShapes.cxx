@@ -19,7 +19,8 @@ struct Ellipsoid
   Point semiAxes;
 };
 
-/** About the signed distance to the ellipsoid, in units of its least semi-axis: exact enough to blend shapes with. */
+/** Approximates the signed distance to the ellipsoid, well enough to blend shapes with. The distance in units of the
+ * semi-axes is scaled by the least of them. */
 double
 Distance(const Ellipsoid & ellipsoid, const Point & point)
 {
@@ -32,7 +33,8 @@ Distance(const Ellipsoid & ellipsoid, const Point & point)
   return (std::sqrt(sum) - 1.0) * *std::min_element(ellipsoid.semiAxes.begin(), ellipsoid.semiAxes.end());
 }
 
-/** The lesser of two distances; within `width` of each other, a little less: the joint is rounded. */
+/** Gives the lesser of two distances, and a little less where they are within `width` of each other, which rounds the
+ * joint. */
 double
 SmoothMinimum(double a, double b, double width)
 {
@@ -44,7 +46,7 @@ SmoothMinimum(double a, double b, double width)
 bool
 IsInsideDome(const Point & point)
 {
-  // Two half ellipsoids, one above and one below the widest level.
+  // The dome is two half ellipsoids, one above and one below its widest level: a low base and a high top.
   constexpr double waist = -0.6;
   const double     z = (point[2] - waist) / (point[2] > waist ? 1.0 - waist : 1.0 + waist);
   return point[0] * point[0] + point[1] * point[1] + z * z <= 1.0;
@@ -53,6 +55,7 @@ IsInsideDome(const Point & point)
 bool
 IsInsideFlower(const Point & point)
 {
+  // Sepals reach the sides of the cube, 0.58 + 0.42 = 1, and meet the central dome with a joint rounded within 0.08.
   constexpr double jointWidth = 0.08;
   const Ellipsoid  center = { { { 0.0, 0.0, -0.2 } }, { { 0.45, 0.45, 0.8 } } };
   constexpr double ring = 0.58;
