@@ -96,7 +96,7 @@ public:
   std::size_t
   NumberOfPairs() const
   {
-    return m_Smaller.size();
+    return m_Smaller.Items().size();
   }
 
   std::size_t
@@ -110,9 +110,8 @@ private:
   ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
                      const std::vector<VertexQuadruple> & quadruples, const std::vector<JunctionVote> & votes);
 
-  /** Compressed rows: the row of a vertex holds the pairs of which it is the larger, by the other, ascending. */
-  std::vector<std::size_t> m_PairRows;
-  std::vector<VertexId>    m_Smaller;
+  /** The row of a vertex holds the pairs of which it is the larger, by the other, ascending. */
+  CompressedRows<VertexId> m_Smaller;
   QuadrupleSet             m_Quadruples;
   JunctionVotes            m_Votes;
 };

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
+#include "Common/Algorithms.h"
 #include "Adjacency/ReferenceAdjacency.h"
 #include "Complex/AdjacencyComplex.h"
 
@@ -32,11 +33,7 @@ ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vect
                         const JunctionSet & image)
 {
   const ReferenceAdjacency reference(image);
-  const auto               makeUnique = [](auto & tuples) {
-    std::sort(tuples.begin(), tuples.end());
-    tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
-  };
-  std::vector<VertexPair> edges;
+  std::vector<VertexPair>  edges;
   for (VertexQuadruple & t : tetrahedra)
   {
     std::sort(t.begin(), t.end());
@@ -48,8 +45,8 @@ ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vect
       }
     }
   }
-  makeUnique(tetrahedra);
-  makeUnique(edges);
+  SortUnique(tetrahedra);
+  SortUnique(edges);
   const auto isKnown = [&ids](VertexId v) { return ids[v] >= 0; };
   const auto commonPairs = std::count_if(edges.begin(), edges.end(), [&](const VertexPair & e) {
     return std::all_of(e.begin(), e.end(), isKnown) && reference.HasPair(ids[e[0]], ids[e[1]]);

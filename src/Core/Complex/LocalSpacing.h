@@ -23,6 +23,10 @@ namespace tissue
 std::vector<double>
 LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers);
 
+/** The same of points alone, as the vertices after the exterior. No two are equal. */
+std::vector<double>
+LocalSpacings(const std::vector<Point> & points);
+
 /** Of spacings of vertices, as LocalSpacings() returns them, the median, the upper one of an even number: the
  * exterior's does not count. There must be another. */
 double
