@@ -6,7 +6,6 @@
  *=========================================================================*/
 #include "Shared/Pictures/PictureView.h"
 
-#include <vtkMath.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -37,16 +36,11 @@ FindTissueAxis(const WallMesh & mesh, const std::vector<Cell> & cells, const Poi
     {
       continue;
     }
-    const std::array<PointId, 3> & triangle = mesh.triangles[t];
-    const Vector                   ab = Combine(mesh.points[triangle[1]], -1.0, mesh.points[triangle[0]]);
-    const Vector                   ac = Combine(mesh.points[triangle[2]], -1.0, mesh.points[triangle[0]]);
-    Vector                         fromCenter = Combine(mesh.points[triangle[0]], -1.0, center);
-    Vector                         normal;
-    vtkMath::Cross(ab.data(), ac.data(), normal.data());
-    vtkMath::Normalize(fromCenter.data());
-    const double area = vtkMath::Normalize(normal.data());
-    sum = Combine(sum, area * vtkMath::Dot(normal.data(), fromCenter.data()), normal);
-    totalArea += area;
+    const Triangle & triangle = mesh.triangles[t];
+    const Point &    corner = mesh.points[triangle[0]];
+    const Vector     normal = Cross(mesh.points[triangle[1]] - corner, mesh.points[triangle[2]] - corner);
+    sum = sum + Dot(Normalized(normal), Normalized(corner - center)) * normal;
+    totalArea += Norm(normal);
   }
   // A ball or a block has no tip: then the last axis, as where two axes are about as good.
   std::size_t largest = 2;
@@ -63,12 +57,6 @@ FindTissueAxis(const WallMesh & mesh, const std::vector<Cell> & cells, const Poi
 }
 } // namespace
 
-Vector
-Combine(const Vector & a, double factor, const Vector & b)
-{
-  return { { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] } };
-}
-
 PictureView
 ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells, const Point & center)
 {
@@ -77,12 +65,10 @@ ChooseView(const WallMesh & mesh, const std::vector<Cell> & cells, const Point &
   auto & [sideA, sideB] = view.sides;
   auto & [right, up, toViewer] = view.axes;
   sideA = { { axis[2], axis[0], axis[1] } };
-  vtkMath::Cross(axis.data(), sideA.data(), sideB.data());
-  toViewer = Combine(Combine(sideA, 1.0, sideB), elevation, axis);
-  vtkMath::Normalize(toViewer.data());
-  vtkMath::Cross(axis.data(), toViewer.data(), right.data());
-  vtkMath::Normalize(right.data());
-  vtkMath::Cross(toViewer.data(), right.data(), up.data());
+  sideB = Cross(axis, sideA);
+  toViewer = Normalized(sideA + sideB + elevation * axis);
+  right = Normalized(Cross(axis, toViewer));
+  up = Cross(toViewer, right);
   return view;
 }
 
@@ -92,11 +78,11 @@ FindBox(const PictureView & view, vtkPolyData * data)
   ViewBox box{ { { HUGE_VAL, HUGE_VAL, HUGE_VAL } }, { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
-    double point[3];
-    data->GetPoint(p, point);
+    Point point;
+    data->GetPoint(p, point.data());
     for (int i = 0; i < 3; ++i)
     {
-      const double coordinate = vtkMath::Dot(view.axes[i].data(), point);
+      const double coordinate = Dot(view.axes[i], point);
       box.low[i] = std::min(box.low[i], coordinate);
       box.high[i] = std::max(box.high[i], coordinate);
     }
@@ -112,12 +98,12 @@ PlaceSideBySide(const PictureView & view, const ViewBox & left, const ViewBox & 
   layout.size = {
     { drawn + gapRatio * drawn, std::max(left.Size(1), right.Size(1)), std::max(left.Size(2), right.Size(2)) }
   };
-  layout.leftPosition = Combine(layout.leftPosition, -0.5 * layout.size[0] - left.low[0], view.axes[0]);
-  layout.rightPosition = Combine(layout.rightPosition, 0.5 * layout.size[0] - right.high[0], view.axes[0]);
+  layout.leftPosition = (-0.5 * layout.size[0] - left.low[0]) * view.axes[0];
+  layout.rightPosition = (0.5 * layout.size[0] - right.high[0]) * view.axes[0];
   for (int i = 1; i < 3; ++i)
   {
-    layout.leftPosition = Combine(layout.leftPosition, -0.5 * (left.low[i] + left.high[i]), view.axes[i]);
-    layout.rightPosition = Combine(layout.rightPosition, -0.5 * (right.low[i] + right.high[i]), view.axes[i]);
+    layout.leftPosition = layout.leftPosition + -0.5 * (left.low[i] + left.high[i]) * view.axes[i];
+    layout.rightPosition = layout.rightPosition + -0.5 * (right.low[i] + right.high[i]) * view.axes[i];
   }
   return layout;
 }

@@ -8,6 +8,7 @@
 #define PictureView_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <array>
@@ -17,11 +18,14 @@ class vtkPolyData;
 
 namespace tissue
 {
-using Vector = std::array<double, 3>;
+using Vector = Point;
 
 /** a + factor * b */
-Vector
-Combine(const Vector & a, double factor, const Vector & b);
+inline Vector
+Combine(const Vector & a, double factor, const Vector & b)
+{
+  return a + factor * b;
+}
 
 /** The directions of a picture, unit vectors of the physical space. */
 struct PictureView

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -20,11 +21,9 @@ class DisjointSets
 {
 public:
   explicit DisjointSets(std::size_t size = 0)
+    : m_Parents(size)
   {
-    while (m_Parents.size() < size)
-    {
-      this->Add();
-    }
+    std::iota(m_Parents.begin(), m_Parents.end(), std::int64_t{ 0 });
   }
 
   /** Adds an element, as a set by itself, and returns it. */

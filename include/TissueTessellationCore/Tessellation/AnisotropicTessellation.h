@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_AnisotropicTessellation_h
 #define TissueTessellationCore_AnisotropicTessellation_h
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Metric.h"
 
 #include <cstddef>
@@ -64,11 +65,10 @@ private:
   /** A lower bound of the length of a unit vector in the metrics of all seeds. */
   double m_LeastLength = 0.0;
 
-  Point                    m_Origin = { { 0.0, 0.0, 0.0 } };
-  double                   m_BinSize = 1.0;
-  Bin                      m_NumberOfBins = { { 1, 1, 1 } };
-  std::vector<std::size_t> m_FirstSeedOfBin;
-  std::vector<SeedId>      m_SeedsByBin;
+  Point                  m_Origin = { { 0.0, 0.0, 0.0 } };
+  double                 m_BinSize = 1.0;
+  Bin                    m_NumberOfBins = { { 1, 1, 1 } };
+  CompressedRows<SeedId> m_SeedsOfBin;
 };
 } // namespace tissue
 

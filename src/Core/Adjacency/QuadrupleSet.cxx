@@ -63,16 +63,15 @@ QuadrupleSet::QuadrupleSet(VertexId numberOfVertices, const std::vector<VertexQu
     throw std::invalid_argument("QuadrupleSet: " + std::to_string(n - 1) + " cells, at most " + std::to_string(IdMask) +
                                 " are possible");
   }
-  m_Rows = CountRows(n, quadruples);
-  m_Others.resize(quadruples.size());
-  std::vector<std::size_t> next(m_Rows.begin(), m_Rows.end() - 1);
-  for (const VertexQuadruple & q : quadruples)
-  {
-    m_Others[next[q[3]]++] = Pack(q[0], q[1], q[2]);
-  }
+  m_Others.Assign(n, [&quadruples](const auto & add) {
+    for (const VertexQuadruple & q : quadruples)
+    {
+      add(static_cast<std::size_t>(q[3]), Pack(q[0], q[1], q[2]));
+    }
+  });
 
   constexpr std::size_t bitsPerQuadruple = 24;
-  m_Filter.assign(FilterWindow + m_Others.size() * bitsPerQuadruple / 64, 0);
+  m_Filter.assign(FilterWindow + this->Size() * bitsPerQuadruple / 64, 0);
   m_FilterWordsPerVertex = ((m_Filter.size() - FilterWindow) << 32) / std::max<std::size_t>(n, 1);
   for (const VertexQuadruple & q : quadruples)
   {
@@ -100,25 +99,24 @@ QuadrupleSet::Find(const VertexQuadruple & vertices) const
   {
     return NotFound;
   }
-  const auto begin = m_Others.begin() + static_cast<std::ptrdiff_t>(m_Rows[key[3]]);
-  const auto end = m_Others.begin() + static_cast<std::ptrdiff_t>(m_Rows[key[3] + 1]);
-  const auto at = std::lower_bound(begin, end, others);
-  return at != end && *at == others ? at - m_Others.begin() : NotFound;
+  const auto row = m_Others[static_cast<std::size_t>(key[3])];
+  const auto at = std::lower_bound(row.begin(), row.end(), others);
+  return at != row.end() && *at == others ? at - m_Others.Items().data() : NotFound;
 }
 
 std::vector<VertexQuadruple>
 QuadrupleSet::List() const
 {
   std::vector<VertexQuadruple> quadruples;
-  quadruples.reserve(m_Others.size());
-  for (std::size_t row = 0; row + 1 < m_Rows.size(); ++row)
+  quadruples.reserve(this->Size());
+  for (std::size_t largest = 0; largest < m_Others.NumberOfRows(); ++largest)
   {
-    for (std::size_t i = m_Rows[row]; i < m_Rows[row + 1]; ++i)
+    for (const std::uint64_t others : m_Others[largest])
     {
-      quadruples.push_back({ { static_cast<VertexId>(m_Others[i] >> (2 * IdBits)),
-                               static_cast<VertexId>((m_Others[i] >> IdBits) & IdMask),
-                               static_cast<VertexId>(m_Others[i] & IdMask),
-                               static_cast<VertexId>(row) } });
+      quadruples.push_back({ { static_cast<VertexId>(others >> (2 * IdBits)),
+                               static_cast<VertexId>((others >> IdBits) & IdMask),
+                               static_cast<VertexId>(others & IdMask),
+                               static_cast<VertexId>(largest) } });
     }
   }
   return quadruples;

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_QuadrupleSet_h
 #define TissueTessellationCore_QuadrupleSet_h
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Common/Types.h"
 
 #include <cstddef>
@@ -36,7 +37,7 @@ public:
   std::size_t
   Size() const
   {
-    return m_Others.size();
+    return m_Others.Items().size();
   }
 
 private:
@@ -44,32 +45,14 @@ private:
   std::size_t
   FilterBit(std::uint64_t others, VertexId largest) const;
 
-  /** Compressed rows: the row of a vertex holds the quadruples of which it is the largest, by the others, ascending,
-   * packed into one number. */
-  std::vector<std::size_t>   m_Rows;
-  std::vector<std::uint64_t> m_Others;
+  /** The row of a vertex holds the quadruples of which it is the largest, by the others, ascending, packed into one
+   * number. */
+  CompressedRows<std::uint64_t> m_Others;
   /** A bit for the hash of each quadruple: most of those that are asked for are not there, and stop here. */
   std::vector<std::uint64_t> m_Filter;
   /** Words of the filter a vertex, in units of 2^-32. */
   std::uint64_t m_FilterWordsPerVertex = 0;
 };
-
-/** Begins of rows, one for each vertex and one past the last: a tuple is in the row of its largest vertex. */
-template <typename TTuple>
-std::vector<std::size_t>
-CountRows(std::size_t numberOfRows, const std::vector<TTuple> & tuples)
-{
-  std::vector<std::size_t> begins(numberOfRows + 1, 0);
-  for (const TTuple & tuple : tuples)
-  {
-    ++begins[static_cast<std::size_t>(tuple.back()) + 1];
-  }
-  for (std::size_t row = 0; row < numberOfRows; ++row)
-  {
-    begins[row + 1] += begins[row];
-  }
-  return begins;
-}
 } // namespace tissue
 
 #endif

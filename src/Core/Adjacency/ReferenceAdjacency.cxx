@@ -95,17 +95,16 @@ ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
 ReferenceAdjacency::ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
                                        const std::vector<VertexQuadruple> & quadruples,
                                        const std::vector<JunctionVote> &    votes)
-  : m_PairRows(CountRows(static_cast<std::size_t>(numberOfVertices), pairs))
-  , m_Smaller(pairs.size())
+  : m_Smaller(static_cast<std::size_t>(numberOfVertices),
+              [&pairs](const auto & add) {
+                for (const VertexPair & pair : pairs)
+                {
+                  add(static_cast<std::size_t>(pair[1]), pair[0]);
+                }
+              })
   , m_Quadruples(numberOfVertices, quadruples)
   , m_Votes(numberOfVertices, votes)
-{
-  std::vector<std::size_t> next(m_PairRows.begin(), m_PairRows.end() - 1);
-  for (const VertexPair & pair : pairs)
-  {
-    m_Smaller[next[pair[1]]++] = pair[0];
-  }
-}
+{}
 
 ReferenceAdjacency
 ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
@@ -117,7 +116,7 @@ ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
   }
   std::sort(
     votes.begin(), votes.end(), [](const JunctionVote & a, const JunctionVote & b) { return a.cells < b.cells; });
-  return { static_cast<VertexId>(m_PairRows.size() - 1),
+  return { static_cast<VertexId>(m_Smaller.NumberOfRows()),
            RenumberTuples(this->GetPairs(), ids),
            RenumberTuples(this->GetQuadruples(), ids),
            votes };
@@ -126,22 +125,20 @@ ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
 bool
 ReferenceAdjacency::HasPair(VertexId u, VertexId v) const
 {
-  const VertexId row = std::max(u, v);
-  const auto     begin = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row]);
-  const auto     end = m_Smaller.begin() + static_cast<std::ptrdiff_t>(m_PairRows[row + 1]);
-  return std::binary_search(begin, end, std::min(u, v));
+  const auto row = m_Smaller[static_cast<std::size_t>(std::max(u, v))];
+  return std::binary_search(row.begin(), row.end(), std::min(u, v));
 }
 
 std::vector<VertexPair>
 ReferenceAdjacency::GetPairs() const
 {
   std::vector<VertexPair> pairs;
-  pairs.reserve(m_Smaller.size());
-  for (std::size_t row = 0; row + 1 < m_PairRows.size(); ++row)
+  pairs.reserve(this->NumberOfPairs());
+  for (std::size_t larger = 0; larger < m_Smaller.NumberOfRows(); ++larger)
   {
-    for (std::size_t i = m_PairRows[row]; i < m_PairRows[row + 1]; ++i)
+    for (const VertexId smaller : m_Smaller[larger])
     {
-      pairs.push_back({ { m_Smaller[i], static_cast<VertexId>(row) } });
+      pairs.push_back({ { smaller, static_cast<VertexId>(larger) } });
     }
   }
   return pairs;

@@ -98,7 +98,7 @@ public:
   std::size_t
   NumberOfPairs() const
   {
-    return m_Smaller.size();
+    return m_Smaller.Items().size();
   }
 
   std::size_t
@@ -112,10 +112,8 @@ private:
   ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
                      const std::vector<VertexQuadruple> & quadruples, const std::vector<JunctionVote> & votes);
 
-  /** The pairs, in compressed rows: the row of a vertex holds the smaller vertices of the pairs in which it is the
-   * larger one, ascending. */
-  std::vector<std::size_t> m_PairRows;
-  std::vector<VertexId>    m_Smaller;
+  /** The row of a vertex holds the smaller vertices of the pairs in which it is the larger one, ascending. */
+  CompressedRows<VertexId> m_Smaller;
   QuadrupleSet             m_Quadruples;
   JunctionVotes            m_Votes;
 };

@@ -24,6 +24,15 @@ Median(std::vector<double> values)
   return *middle;
 }
 
+/** Sorts values and leaves each once. */
+template <typename TValue>
+void
+SortUnique(std::vector<TValue> & values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 /** Returns those of 0 ... count - 1 for which the test holds, ascending. The test may be called from any thread. */
 template <typename TTest>
 std::vector<std::size_t>

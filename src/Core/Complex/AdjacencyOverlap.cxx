@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
+#include "Common/Algorithms.h"
 #include "Adjacency/ReferenceAdjacency.h"
 #include "Complex/AdjacencyComplex.h"
 
@@ -34,11 +35,7 @@ ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vect
   // Edges and tetrahedra become sets of ascending tuples, so that each counts once; then those are counted that are in
   // the image by their vertices' ids there.
   const ReferenceAdjacency reference(image);
-  const auto               makeUnique = [](auto & tuples) {
-    std::sort(tuples.begin(), tuples.end());
-    tuples.erase(std::unique(tuples.begin(), tuples.end()), tuples.end());
-  };
-  std::vector<VertexPair> edges;
+  std::vector<VertexPair>  edges;
   for (VertexQuadruple & t : tetrahedra)
   {
     std::sort(t.begin(), t.end());
@@ -50,8 +47,8 @@ ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vect
       }
     }
   }
-  makeUnique(tetrahedra);
-  makeUnique(edges);
+  SortUnique(tetrahedra);
+  SortUnique(edges);
   const auto isKnown = [&ids](VertexId v) { return ids[v] >= 0; };
   const auto commonPairs = std::count_if(edges.begin(), edges.end(), [&](const VertexPair & e) {
     return std::all_of(e.begin(), e.end(), isKnown) && reference.HasPair(ids[e[0]], ids[e[1]]);

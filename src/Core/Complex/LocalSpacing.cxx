@@ -7,6 +7,7 @@
 #include "Complex/LocalSpacing.h"
 
 #include "Common/Algorithms.h"
+#include "Complex/DelaunayTetrahedralization.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -80,6 +81,15 @@ LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & cente
     spacings[v] = MeanDistanceOfNearest(v, neighbors, centers);
   }
   return spacings;
+}
+
+std::vector<double>
+LocalSpacings(const std::vector<Point> & points)
+{
+  std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
+  centers.insert(centers.end(), points.begin(), points.end());
+  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
+                       centers);
 }
 
 double

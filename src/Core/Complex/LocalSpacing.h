@@ -23,6 +23,10 @@ namespace tissue
 std::vector<double>
 LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers);
 
+/** Returns the local spacings of points alone, which are the vertices after the exterior. No two are equal. */
+std::vector<double>
+LocalSpacings(const std::vector<Point> & points);
+
 /** Returns the median of the spacings that LocalSpacings() returns, without the exterior's; of an even number the upper
  * one. There must be at least one other vertex. */
 double

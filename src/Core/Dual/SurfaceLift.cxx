@@ -8,6 +8,7 @@
 
 #include "Common/Algorithms.h"
 #include "Complex/RelativeExterior.h"
+#include "Complex/SurfaceHeights.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 namespace tissue
@@ -20,27 +21,15 @@ namespace
 std::vector<double>
 EstimateDepths(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
 {
-  // The cosine of the angle between a vertex's normal and the line from a neighbour, 73 degrees, up to which it is
-  // below. Those of the same layer are not, since the line from them is nearly level even where the surface is bent.
-  constexpr double steepest = 0.3;
-
-  std::vector<std::vector<double>> heights(centers.size());
-  std::vector<std::vector<double>> distances(centers.size());
-  const auto                       add = [&](VertexId above, VertexId below) {
-    const Point  offset = centers[above] - centers[below];
-    const double height = Dot(offset, normals[above]);
-    distances[above].push_back(Norm(offset));
-    if (height > steepest * Norm(offset))
-    {
-      heights[above].push_back(height);
-    }
-  };
+  const std::vector<std::vector<double>> heights = CollectHeights(complex, centers, normals);
+  std::vector<std::vector<double>>       distances(centers.size());
   for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
   {
-    if (edge.vertices[0] != ExteriorVertex && edge.vertices[1] != ExteriorVertex)
+    const auto [u, v] = edge.vertices;
+    if (u != ExteriorVertex)
     {
-      add(edge.vertices[0], edge.vertices[1]);
-      add(edge.vertices[1], edge.vertices[0]);
+      distances[u].push_back(Distance(centers[u], centers[v]));
+      distances[v].push_back(Distance(centers[u], centers[v]));
     }
   }
   std::vector<double> depths(centers.size(), 0.0);

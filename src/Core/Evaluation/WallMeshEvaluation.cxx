@@ -7,6 +7,7 @@
 #include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 
 #include "Adjacency/ReferenceAdjacency.h"
+#include "Common/Algorithms.h"
 #include "Evaluation/VoxelDice.h"
 #include "Geometry/ConvexHull.h"
 #include "Mesh/Crossings.h"
@@ -25,14 +26,6 @@ namespace
 {
 /** A point, and a cell that has a triangle at it. */
 using Incidence = std::pair<PointId, VertexId>;
-
-template <typename TValue>
-void
-SortUnique(std::vector<TValue> & values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 /** Lists all incidences, each once, ordered by points, then by cells. */
 std::vector<Incidence>

@@ -7,6 +7,7 @@
 #include "Fitting/TriangleImprovement.h"
 
 #include "Mesh/WallLines.h"
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 
 #include <algorithm>
@@ -39,10 +40,10 @@ private:
   void
   ForEachTriangle(PointId point, TFunction function) const
   {
-    for (std::int32_t i = m_First[point]; i < m_First[point + 1]; ++i)
+    for (const std::int32_t i : m_Triangles[static_cast<std::size_t>(point)])
     {
-      const auto & t = m_Mesh.triangles[m_Triangles[i] / 3];
-      const int    k = m_Triangles[i] % 3;
+      const auto & t = m_Mesh.triangles[i / 3];
+      const int    k = i % 3;
       function(Corners{ { m_Mesh.points[t[k]], m_Mesh.points[t[(k + 1) % 3]], m_Mesh.points[t[(k + 2) % 3]] } });
     }
   }
@@ -59,39 +60,29 @@ private:
   WallMesh &                        m_Mesh;
   std::vector<WallLine>             m_Lines;
   std::vector<std::vector<PointId>> m_PointsWithin;
-  std::vector<std::int32_t>         m_First;
-  /** Each entry is three times a triangle's index, plus the place of the row's point in it. */
-  std::vector<std::int32_t> m_Triangles;
+  /** The row of a point has an entry for each triangle at it: three times the triangle's index, plus the place of the
+   * point in it. */
+  CompressedRows<std::int32_t, std::int32_t> m_Triangles;
 };
 
 Improvement::Improvement(WallMesh & mesh)
   : m_Mesh(mesh)
   , m_Lines(CollectWallLines(mesh))
   , m_PointsWithin(mesh.walls.size())
-  , m_First(mesh.points.size() + 1, 0)
-  , m_Triangles(3 * mesh.triangles.size())
 {
-  for (const auto & triangle : mesh.triangles)
-  {
-    for (const PointId p : triangle)
+  const auto visitCorners = [&mesh](const auto & visit) {
+    for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
     {
-      ++m_First[p + 1];
+      visit(static_cast<std::size_t>(mesh.triangles[i / 3][i % 3]), static_cast<std::int32_t>(i));
     }
-  }
-  for (std::size_t p = 1; p < m_First.size(); ++p)
-  {
-    m_First[p] += m_First[p - 1];
-  }
-  std::vector<std::int32_t> next(m_First.begin(), m_First.end() - 1);
-  for (std::size_t i = 0; i < m_Triangles.size(); ++i)
-  {
-    const PointId p = mesh.triangles[i / 3][i % 3];
-    if (next[p] == m_First[p] && mesh.numberOfCells[p] == CellsWithinWall)
+  };
+  m_Triangles.Assign(mesh.points.size(), visitCorners);
+  visitCorners([&](std::size_t p, std::int32_t i) {
+    if (mesh.numberOfCells[p] == CellsWithinWall && *m_Triangles[p].begin() == i)
     {
-      m_PointsWithin[mesh.wallOfTriangle[i / 3]].push_back(p);
+      m_PointsWithin[mesh.wallOfTriangle[i / 3]].push_back(static_cast<PointId>(p));
     }
-    m_Triangles[next[p]++] = static_cast<std::int32_t>(i);
-  }
+  });
 }
 
 void

@@ -48,7 +48,12 @@ BoxGrid::BoxGrid(const std::vector<Box> & boxes)
   {
     m_Size[i] = static_cast<std::int64_t>((all.upper[i] - all.lower[i]) / m_CellSize) + 1;
   }
-  this->Fill();
+  m_Members.Assign(static_cast<std::size_t>(m_Size[0] * m_Size[1] * m_Size[2]), [this](const auto & add) {
+    for (const std::int32_t i : m_InGrid)
+    {
+      this->VisitCells(m_Boxes[i], [&add, i](std::int64_t cell) { add(static_cast<std::size_t>(cell), i); });
+    }
+  });
 }
 
 void
@@ -64,25 +69,6 @@ BoxGrid::FindLongBoxes()
   for (std::size_t i = 0; i < m_Boxes.size(); ++i)
   {
     (MeanExtent(m_Boxes[i]) > longest ? m_Long : m_InGrid).push_back(static_cast<std::int32_t>(i));
-  }
-}
-
-void
-BoxGrid::Fill()
-{
-  m_First.assign(m_Size[0] * m_Size[1] * m_Size[2] + 2, 0);
-  for (const std::int32_t i : m_InGrid)
-  {
-    this->VisitCells(m_Boxes[i], [this](std::int64_t cell) { ++m_First[cell + 2]; });
-  }
-  for (std::size_t i = 1; i < m_First.size(); ++i)
-  {
-    m_First[i] += m_First[i - 1];
-  }
-  m_Members.resize(m_First.back());
-  for (const std::int32_t i : m_InGrid)
-  {
-    this->VisitCells(m_Boxes[i], [this, i](std::int64_t cell) { m_Members[m_First[cell + 1]++] = i; });
   }
 }
 } // namespace tissue

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_BoxGrid_h
 #define TissueTessellationCore_BoxGrid_h
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Box.h"
 
 #include <algorithm>
@@ -38,17 +39,18 @@ public:
     const std::int64_t perLayer = m_Size[0] * m_Size[1];
     for (std::int64_t cell = layer * perLayer; cell < (layer + 1) * perLayer; ++cell)
     {
-      for (std::int64_t i = m_First[cell]; i < m_First[cell + 1]; ++i)
+      const auto members = m_Members[static_cast<std::size_t>(cell)];
+      for (const std::int32_t * i = members.begin(); i != members.end(); ++i)
       {
-        const Box & a = m_Boxes[m_Members[i]];
-        for (std::int64_t j = i + 1; j < m_First[cell + 1]; ++j)
+        const Box & a = m_Boxes[*i];
+        for (const std::int32_t * j = i + 1; j != members.end(); ++j)
         {
-          const Box & b = m_Boxes[m_Members[j]];
+          const Box & b = m_Boxes[*j];
           if (Overlap(a, b) && this->CellOf({ { std::max(a.lower[0], b.lower[0]),
                                                 std::max(a.lower[1], b.lower[1]),
                                                 std::max(a.lower[2], b.lower[2]) } }) == cell)
           {
-            visit(m_Members[i], m_Members[j]);
+            visit(*i, *j);
           }
         }
       }
@@ -63,9 +65,6 @@ private:
   /** Parts the boxes in m_InGrid, never empty, and m_Long, both ascending. */
   void
   FindLongBoxes();
-
-  void
-  Fill();
 
   template <typename TVisitor>
   void
@@ -122,10 +121,10 @@ private:
   Point                       m_Lower{};
   double                      m_CellSize = 1.0;
   std::array<std::int64_t, 3> m_Size{};
-  std::vector<std::int64_t>   m_First;
-  std::vector<std::int32_t>   m_Members;
-  std::vector<std::int32_t>   m_InGrid;
-  std::vector<std::int32_t>   m_Long;
+  /** The boxes in each cell. */
+  CompressedRows<std::int32_t> m_Members;
+  std::vector<std::int32_t>    m_InGrid;
+  std::vector<std::int32_t>    m_Long;
 };
 } // namespace tissue
 

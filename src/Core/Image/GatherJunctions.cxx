@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Image/GatherJunctions.h"
 
+#include "Common/Algorithms.h"
 #include "Image/ClusterJunctions.h"
 
 #include <algorithm>
@@ -43,8 +44,7 @@ MakeCells(const Scans & scans, const ExteriorLabels & exterior, std::vector<Cell
     const std::vector<Label> & found = scan->GetLabels().GetLabels();
     labels.insert(labels.end(), found.cbegin() + 1, found.cend());
   }
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  SortUnique(labels);
 
   cells.resize(labels.size() + 1);
   cells[ExteriorVertex].label = exterior.hasLabel ? exterior.label : FindFreeLabel(labels);

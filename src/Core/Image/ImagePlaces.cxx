@@ -57,23 +57,13 @@ VisitMixedBlocks(const LabelVolume & volume, const TVisitor & visit)
 } // namespace
 
 ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & entries)
-  : m_First(numberOfGroups + 1, 0)
-  , m_Places(entries.size())
-{
-  for (const Entry & entry : entries)
-  {
-    ++m_First[entry.group + 1];
-  }
-  for (std::size_t g = 1; g < m_First.size(); ++g)
-  {
-    m_First[g] += m_First[g - 1];
-  }
-  std::vector<std::size_t> next(m_First.begin(), m_First.end() - 1);
-  for (const Entry & entry : entries)
-  {
-    m_Places[next[entry.group]++] = entry.place;
-  }
-}
+  : m_Places(numberOfGroups, [&entries](const auto & add) {
+    for (const Entry & entry : entries)
+    {
+      add(entry.group, entry.place);
+    }
+  })
+{}
 
 ImagePlaces
 CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pairs)

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_ImagePlaces_h
 #define TissueTessellationCore_ImagePlaces_h
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
@@ -38,18 +39,17 @@ public:
   const Place *
   Begin(std::size_t group) const
   {
-    return m_Places.data() + m_First[group];
+    return m_Places[group].begin();
   }
 
   const Place *
   End(std::size_t group) const
   {
-    return m_Places.data() + m_First[group + 1];
+    return m_Places[group].end();
   }
 
 private:
-  std::vector<std::size_t> m_First;
-  std::vector<Place>       m_Places;
+  CompressedRows<Place> m_Places;
 };
 
 /** The centres of the voxel faces between the two cells of each pair, in any order. */

@@ -6,9 +6,10 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Image/LabelFragments.h"
 
+#include "TissueTessellationCore/Common/DisjointSets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
 namespace tissue
@@ -64,56 +65,32 @@ VisitContacts(const LabelRuns & labels, const TVisitor & visit)
   }
 }
 
-/** The face-connected pieces of a label image. Each is a set of runs and known by its first run. */
-class Pieces
+/** Finds the face-connected pieces of a label image. Each is a set of runs and known by its first run, which is given
+ * for every run. */
+std::vector<RunId>
+FindPieces(const LabelRuns & labels)
 {
-public:
-  explicit Pieces(const LabelRuns & labels)
-    : m_Parent(labels.runs.size())
-  {
-    std::iota(m_Parent.begin(), m_Parent.end(), RunId{ 0 });
-    VisitContacts(labels, [&](RunId a, RunId b, std::int64_t) {
-      if (labels.runs[a].label == labels.runs[b].label)
-      {
-        const RunId rootA = this->Find(a);
-        const RunId rootB = this->Find(b);
-        m_Parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
-      }
-    });
-    // Parents come before their children, so one sweep leaves every run at its root.
-    for (RunId & parent : m_Parent)
+  DisjointSets sets(labels.runs.size());
+  VisitContacts(labels, [&](RunId a, RunId b, std::int64_t) {
+    if (labels.runs[a].label == labels.runs[b].label)
     {
-      parent = m_Parent[parent];
+      sets.Unite(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
     }
-  }
-
-  RunId
-  operator[](RunId run) const
+  });
+  std::vector<RunId> pieces(labels.runs.size());
+  for (RunId run = 0; run < pieces.size(); ++run)
   {
-    return m_Parent[run];
+    pieces[run] = static_cast<RunId>(sets.Find(static_cast<std::int64_t>(run)));
   }
-
-private:
-  RunId
-  Find(RunId run)
-  {
-    while (m_Parent[run] != run)
-    {
-      m_Parent[run] = m_Parent[m_Parent[run]];
-      run = m_Parent[run];
-    }
-    return run;
-  }
-
-  std::vector<RunId> m_Parent;
-};
+  return pieces;
+}
 
 /** Tells, by the first run of each piece, whether it keeps its label.
  *
  * One pass over the runs sums up the pieces' sizes and finds those of the exterior that touch the border of the image;
  * a second one finds each cell's largest piece. */
 std::vector<bool>
-FindKeptPieces(const LabelRuns & labels, const Pieces & pieces, Label exterior)
+FindKeptPieces(const LabelRuns & labels, const std::vector<RunId> & pieces, Label exterior)
 {
   std::vector<std::int64_t> sizes(labels.runs.size(), 0);
   std::vector<bool>         isKept(labels.runs.size(), false);
@@ -207,7 +184,7 @@ MergeFragments(LabelRuns & labels, Label exterior)
 {
   // Pieces that do not keep their label are fragments. Their faces with all other pieces are counted; labels
   // then spread from the kept pieces inwards, and the runs of the fragments take them.
-  const Pieces              pieces(labels);
+  const std::vector<RunId>  pieces = FindPieces(labels);
   const std::vector<bool>   isKept = FindKeptPieces(labels, pieces, exterior);
   std::map<RunId, Contacts> fragments;
   std::map<RunId, Label>    settled;

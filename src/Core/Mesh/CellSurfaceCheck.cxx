@@ -6,11 +6,13 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
+#include "TissueTessellationCore/Common/DisjointSets.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tissue
 {
@@ -19,68 +21,20 @@ namespace
 constexpr std::size_t maximalCellsAtPoint = 4;
 constexpr double      degenerateAreaRatio = 1e-12;
 
-/** Item numbers 0, 1, ... grouped by an integer key, in linear time and in ascending order within a group. */
-class Groups
+/** Item numbers 0, 1, ... grouped by a key: 32 bits hold those of half-edges, see RequireConsistentIndices. */
+using Groups = CompressedRows<std::uint32_t, std::uint32_t>;
+
+/** Groups the numbers below `numberOfItems` by keyOf(number). */
+template <typename TKeyOf>
+void
+Group(Groups & groups, std::size_t numberOfItems, std::size_t numberOfKeys, const TKeyOf & keyOf)
 {
-public:
-  template <typename TKeyOf>
-  void
-  Assign(std::size_t numberOfItems, std::size_t numberOfKeys, const TKeyOf & keyOf)
-  {
-    m_Begin.assign(numberOfKeys + 1, 0);
-    m_Items.resize(numberOfItems);
+  groups.Assign(numberOfKeys, [&](const auto & add) {
     for (std::size_t i = 0; i < numberOfItems; ++i)
     {
-      ++m_Begin[keyOf(i)];
+      add(keyOf(i), static_cast<std::uint32_t>(i));
     }
-    // Sums up to each group's end; filled backwards, they come to stand at its begin.
-    std::partial_sum(m_Begin.begin(), m_Begin.end(), m_Begin.begin());
-    for (std::size_t i = numberOfItems; i-- > 0;)
-    {
-      m_Items[--m_Begin[keyOf(i)]] = static_cast<std::uint32_t>(i);
-    }
-  }
-
-  std::uint32_t *
-  Begin(std::size_t key)
-  {
-    return m_Items.data() + m_Begin[key];
-  }
-
-  std::uint32_t *
-  End(std::size_t key)
-  {
-    return m_Items.data() + m_Begin[key + 1];
-  }
-
-private:
-  std::vector<std::uint32_t> m_Begin;
-  std::vector<std::uint32_t> m_Items;
-};
-
-Point
-Difference(const Point & a, const Point & b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-Point
-Cross(const Point & a, const Point & b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-double
-Dot(const Point & a, const Point & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double
-TriangleArea(const Point & a, const Point & b, const Point & c)
-{
-  const Point normal = Cross(Difference(b, a), Difference(c, a));
-  return 0.5 * std::sqrt(Dot(normal, normal));
+  });
 }
 
 bool
@@ -90,7 +44,7 @@ IsDegenerate(const WallMesh & mesh, const Triangle & triangle)
   const Point & b = mesh.points[triangle[1]];
   const Point & c = mesh.points[triangle[2]];
   const auto    squaredLength = [](const Point & p, const Point & q) {
-    const Point edge = Difference(p, q);
+    const Point edge = p - q;
     return Dot(edge, edge);
   };
   const double longest = std::max({ squaredLength(a, b), squaredLength(b, c), squaredLength(c, a) });
@@ -109,7 +63,7 @@ public:
     , m_CellOfWall(mesh.walls.size(), ExteriorVertex)
   {
     // Item 2 t + s is the side of triangle t that is turned to the wall's cell s.
-    m_SidesOfCell.Assign(2 * mesh.triangles.size(), numberOfVertices, [&mesh](std::size_t side) {
+    Group(m_SidesOfCell, 2 * mesh.triangles.size(), numberOfVertices, [&mesh](std::size_t side) {
       return mesh.walls[mesh.wallOfTriangle[side / 2]].cells[side % 2];
     });
   }
@@ -134,16 +88,15 @@ private:
   {
     m_NumberOfPoints = 0;
     m_Triangles.clear();
-    double     sixfoldVolume = 0.0;
-    const auto sidesEnd = m_SidesOfCell.End(cell);
-    for (auto side = m_SidesOfCell.Begin(cell); side != sidesEnd; ++side)
+    double sixfoldVolume = 0.0;
+    for (const std::uint32_t side : m_SidesOfCell[cell])
     {
-      Triangle triangle = m_Mesh.triangles[*side / 2];
-      if (*side % 2 == 1)
+      Triangle triangle = m_Mesh.triangles[side / 2];
+      if (side % 2 == 1)
       {
         std::swap(triangle[1], triangle[2]);
       }
-      const WallId wall = m_Mesh.wallOfTriangle[*side / 2];
+      const WallId wall = m_Mesh.wallOfTriangle[side / 2];
       surface.numberOfWalls += m_CellOfWall[wall] == cell ? 0 : 1;
       m_CellOfWall[wall] = cell;
       m_Triangles.push_back({ { this->Localize(triangle[0], cell),
@@ -156,7 +109,7 @@ private:
       const Point & b = m_Mesh.points[triangle[1]];
       const Point & c = m_Mesh.points[triangle[2]];
       surface.area += TriangleArea(a, b, c);
-      sixfoldVolume += Dot(Difference(a, origin), Cross(Difference(b, origin), Difference(c, origin)));
+      sixfoldVolume += Dot(a - origin, Cross(b - origin, c - origin));
     }
     surface.volume = sixfoldVolume / 6.0;
     surface.numberOfTriangles = static_cast<std::int32_t>(m_Triangles.size());
@@ -190,28 +143,25 @@ private:
   std::int64_t
   ClassifyEdges(CellSurface & surface)
   {
-    m_HalfEdgesOfPoint.Assign(3 * m_Triangles.size(), m_NumberOfPoints, [this](std::size_t halfEdge) {
+    Group(m_HalfEdgesOfPoint, 3 * m_Triangles.size(), m_NumberOfPoints, [this](std::size_t halfEdge) {
       return std::min(this->FromPoint(halfEdge), this->ToPoint(halfEdge));
     });
-    m_Parent.resize(m_Triangles.size());
-    std::iota(m_Parent.begin(), m_Parent.end(), 0);
-    surface.numberOfComponents = surface.numberOfTriangles;
-
-    const auto upperPoint = [this](std::uint32_t halfEdge) {
+    DisjointSets components(m_Triangles.size());
+    const auto   upperPoint = [this](std::uint32_t halfEdge) {
       return std::max(this->FromPoint(halfEdge), this->ToPoint(halfEdge));
     };
     std::int64_t numberOfEdges = 0;
     for (std::uint32_t point = 0; point < m_NumberOfPoints; ++point)
     {
-      const auto end = m_HalfEdgesOfPoint.End(point);
-      auto       first = m_HalfEdgesOfPoint.Begin(point);
+      const auto end = m_HalfEdgesOfPoint[point].end();
+      auto       first = m_HalfEdgesOfPoint[point].begin();
       std::sort(first, end, [&](std::uint32_t a, std::uint32_t b) { return upperPoint(a) < upperPoint(b); });
       while (first != end)
       {
         auto last = first + 1;
         for (; last != end && upperPoint(*last) == upperPoint(*first); ++last)
         {
-          surface.numberOfComponents -= this->Join(*first / 3, *last / 3) ? 1 : 0;
+          components.Unite(*first / 3, *last / 3);
         }
         surface.numberOfOpenEdges += last - first == 1 ? 1 : 0;
         surface.numberOfCrowdedEdges += last - first > 2 ? 1 : 0;
@@ -221,27 +171,11 @@ private:
         first = last;
       }
     }
-    return numberOfEdges;
-  }
-
-  std::uint32_t
-  Root(std::uint32_t triangle)
-  {
-    while (m_Parent[triangle] != triangle)
+    for (std::int32_t t = 0; t < surface.numberOfTriangles; ++t)
     {
-      triangle = m_Parent[triangle] = m_Parent[m_Parent[triangle]];
+      surface.numberOfComponents += components.Find(t) == t ? 1 : 0;
     }
-    return triangle;
-  }
-
-  /** True where the two triangles were not in one component. */
-  bool
-  Join(std::uint32_t a, std::uint32_t b)
-  {
-    a = this->Root(a);
-    b = this->Root(b);
-    m_Parent[std::max(a, b)] = std::min(a, b);
-    return a != b;
+    return numberOfEdges;
   }
 
   const WallMesh &           m_Mesh;
@@ -251,7 +185,6 @@ private:
   std::vector<VertexId>      m_CellOfWall;
   Groups                     m_HalfEdgesOfPoint;
   std::vector<LocalTriangle> m_Triangles;
-  std::vector<std::uint32_t> m_Parent;
   std::uint32_t              m_NumberOfPoints = 0;
   PointId                    m_Origin = 0;
 };
@@ -261,17 +194,16 @@ void
 CheckPoints(const WallMesh & mesh, CellSurfaceCheck & check)
 {
   Groups corners;
-  corners.Assign(3 * mesh.triangles.size(), mesh.points.size(), [&mesh](std::size_t corner) {
+  Group(corners, 3 * mesh.triangles.size(), mesh.points.size(), [&mesh](std::size_t corner) {
     return mesh.triangles[corner / 3][corner % 3];
   });
   std::vector<VertexId> cells;
   for (std::size_t point = 0; point < mesh.points.size(); ++point)
   {
     cells.clear();
-    const auto cornersEnd = corners.End(point);
-    for (auto corner = corners.Begin(point); corner != cornersEnd; ++corner)
+    for (const std::uint32_t corner : corners[point])
     {
-      for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[*corner / 3]].cells)
+      for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[corner / 3]].cells)
       {
         if (std::find(cells.begin(), cells.end(), cell) == cells.end())
         {

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Mesh/WallLines.h"
 
+#include "Common/Algorithms.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -110,7 +111,6 @@ LengthOf(const WallLine & line, const std::vector<Point> & points)
 }
 
 WallsAtPoints::WallsAtPoints(const WallMesh & mesh)
-  : m_First(mesh.points.size() + 1)
 {
   std::vector<std::array<std::int32_t, 2>> incidences;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -123,31 +123,28 @@ WallsAtPoints::WallsAtPoints(const WallMesh & mesh)
       }
     }
   }
-  std::sort(incidences.begin(), incidences.end());
-  incidences.erase(std::unique(incidences.begin(), incidences.end()), incidences.end());
-  m_Walls.reserve(incidences.size());
-  for (const auto & incidence : incidences)
-  {
-    ++m_First[incidence[0] + 1];
-    m_Walls.push_back(incidence[1]);
-  }
-  for (std::size_t p = 1; p < m_First.size(); ++p)
-  {
-    m_First[p] += m_First[p - 1];
-  }
+  SortUnique(incidences);
+  m_Walls.Assign(mesh.points.size(), [&incidences](const auto & add) {
+    for (const auto & [point, wall] : incidences)
+    {
+      add(point, wall);
+    }
+  });
 }
 
 int
 WallsAtPoints::CountCommon(PointId a, PointId b) const
 {
-  int          count = 0;
-  std::int32_t i = m_First[a];
-  std::int32_t k = m_First[b];
-  while (i < m_First[a + 1] && k < m_First[b + 1])
+  int        count = 0;
+  const auto wallsOfA = m_Walls[a];
+  const auto wallsOfB = m_Walls[b];
+  auto       i = wallsOfA.begin();
+  auto       k = wallsOfB.begin();
+  while (i != wallsOfA.end() && k != wallsOfB.end())
   {
-    count += m_Walls[i] == m_Walls[k] ? 1 : 0;
-    const bool advance = m_Walls[i] <= m_Walls[k];
-    k += m_Walls[k] <= m_Walls[i] ? 1 : 0;
+    count += *i == *k ? 1 : 0;
+    const bool advance = *i <= *k;
+    k += *k <= *i ? 1 : 0;
     i += advance ? 1 : 0;
   }
   return count;

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_WallLines_h
 #define TissueTessellationCore_WallLines_h
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <vector>
@@ -44,8 +45,7 @@ public:
   CountCommon(PointId a, PointId b) const;
 
 private:
-  std::vector<std::int32_t> m_First;
-  std::vector<WallId>       m_Walls;
+  CompressedRows<WallId, std::int32_t> m_Walls;
 };
 } // namespace tissue
 

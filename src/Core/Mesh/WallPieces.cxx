@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Mesh/WallPieces.h"
 
+#include "Common/Algorithms.h"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -39,8 +41,7 @@ CutOutWall(const WallMesh & mesh, std::size_t firstTriangle, std::size_t endTria
   {
     points.insert(points.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  SortUnique(points);
   const auto interior = std::stable_partition(
     points.begin(), points.end(), [&](PointId p) { return mesh.numberOfCells[p] > CellsWithinWall; });
 

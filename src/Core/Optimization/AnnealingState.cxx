@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Optimization/AnnealingState.h"
 
+#include "Common/Algorithms.h"
+
 #include <algorithm>
 
 namespace tissue
@@ -26,8 +28,7 @@ AnnealingState::WrongAndNeighbors(const std::vector<TetrahedronId> & tetrahedra)
       list.insert(list.end(), tetrahedron.neighbors.begin(), tetrahedron.neighbors.end());
     }
   }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  SortUnique(list);
   return list;
 }
 

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Optimization/VertexRelocation.h"
 
+#include "Common/Algorithms.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -158,8 +160,7 @@ private:
       std::copy_if(
         vertices.begin(), vertices.end(), std::back_inserter(neighbors), [vertex](VertexId v) { return v != vertex; });
     }
-    std::sort(neighbors.begin(), neighbors.end());
-    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    SortUnique(neighbors);
     return neighbors;
   }
 
@@ -178,8 +179,7 @@ private:
         candidates.push_back(Canonical(m_State.complex.GetTetrahedron(id).vertices));
       }
     }
-    std::sort(candidates.begin(), candidates.end());
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    SortUnique(candidates);
 
     std::vector<std::tuple<int, int, VertexQuadruple>> places;
     for (const VertexQuadruple & vertices : candidates)
@@ -286,8 +286,7 @@ CollectNeighbors(const std::vector<VertexQuadruple> &                   quadrupl
   }
   for (auto & entry : neighbors)
   {
-    std::sort(entry.second.begin(), entry.second.end());
-    entry.second.erase(std::unique(entry.second.begin(), entry.second.end()), entry.second.end());
+    SortUnique(entry.second);
   }
   return neighbors;
 }

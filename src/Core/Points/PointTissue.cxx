@@ -7,7 +7,6 @@
 #include "TissueTessellationCore/Points/PointTissue.h"
 
 #include "Common/Algorithms.h"
-#include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
 #include "Points/TissueSurface.h"
 #include "Points/TissueVotes.h"
@@ -94,17 +93,6 @@ void
 RefusePointsOutOfRange(const std::vector<Point> & points)
 {
   RequirePointRange(points, [](std::size_t i) { return "point " + std::to_string(i); });
-}
-
-/** Gives the local spacings, first the exterior's, then one for each point. */
-std::vector<double>
-SpacingsOf(const std::vector<Point> & points)
-{
-  RefusePointsOutOfRange(points);
-  std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
-  centers.insert(centers.end(), points.begin(), points.end());
-  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
-                       centers);
 }
 
 Box
@@ -207,7 +195,8 @@ PlantLostCells(std::vector<std::int32_t> & labels, const TissueGrid & grid, cons
 Box
 PaddedBox(const std::vector<Point> & points)
 {
-  const std::vector<double> spacings = SpacingsOf(points);
+  RefusePointsOutOfRange(points);
+  const std::vector<double> spacings = LocalSpacings(points);
   const double              padding = *std::max_element(spacings.begin(), spacings.end());
   Box                       box{ points.front(), points.front() };
   for (const Point & point : points)
@@ -230,7 +219,8 @@ MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsP
     throw std::invalid_argument("voxelsPerCell is " + std::to_string(voxelsPerCell) + ", but must be at least " +
                                 std::to_string(LeastVoxelsPerCell));
   }
-  const std::vector<double> spacings = SpacingsOf(points);
+  RefusePointsOutOfRange(points);
+  const std::vector<double> spacings = LocalSpacings(points);
   const double              step = MeanSpacing(spacings) / std::cbrt(CubedSpacingOfCell * voxelsPerCell);
   const Point               extent = box.upper - box.lower;
   const double              voxels = extent[0] / step * (extent[1] / step) * (extent[2] / step);

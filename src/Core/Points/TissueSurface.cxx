@@ -9,6 +9,7 @@
 #include "Common/Algorithms.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
+#include "Complex/SurfaceHeights.h"
 #include "Points/MirroredCenters.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
@@ -30,9 +31,6 @@ constexpr double MostDepth = 0.8;
 /** The first depth over the height of the centre above those of the neighbours below: half, as if all cells were
  * equally thick. */
 constexpr double DepthOfHeight = 0.5;
-/** The least cosine of the angle between the normal and the line from a neighbour that counts as below: the line is
- * within 72 degrees of the normal. Neighbours beside the cell tell nothing of its height. */
-constexpr double SteepestCosine = 0.3;
 /** How much a depth changes over how far the seed is off its point along the normal; as in the step of the seeds
  * (CentroidFit), less than the whole damps the joint fit. */
 constexpr double DepthStep = 0.7;
@@ -40,15 +38,6 @@ constexpr double DepthStep = 0.7;
  * step of the fit. */
 constexpr double FirstEvenness = 0.5;
 constexpr double Evenness = 0.3;
-
-std::vector<double>
-SpacingsOf(const std::vector<Point> & points)
-{
-  std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
-  centers.insert(centers.end(), points.begin(), points.end());
-  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
-                       centers);
-}
 
 AdjacencyComplex
 CleanedComplex(const MirroredCenters & centers)
@@ -86,34 +75,10 @@ SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & cent
   }
   return normals;
 }
-
-/** Collects for each vertex at the surface the heights of its centre above those of its neighbours below. */
-std::vector<std::vector<double>>
-CollectHeights(const AdjacencyComplex & complex, const std::vector<Point> & centers, const std::vector<Point> & normals)
-{
-  std::vector<std::vector<double>> heights(centers.size());
-  const auto                       add = [&](VertexId above, VertexId below) {
-    const Point  offset = centers[above] - centers[below];
-    const double height = Dot(offset, normals[above]);
-    if (height > SteepestCosine * Norm(offset))
-    {
-      heights[above].push_back(height);
-    }
-  };
-  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
-  {
-    if (edge.vertices[0] != ExteriorVertex)
-    {
-      add(edge.vertices[0], edge.vertices[1]);
-      add(edge.vertices[1], edge.vertices[0]);
-    }
-  }
-  return heights;
-}
 } // namespace
 
 TissueSurface::TissueSurface(const std::vector<Point> & points, const Box & box)
-  : TissueSurface(MirrorAtSides(points, SpacingsOf(points), box), points.size())
+  : TissueSurface(MirrorAtSides(points, LocalSpacings(points), box), points.size())
 {}
 
 TissueSurface::TissueSurface(MirroredCenters centers, std::size_t numberOfPoints)
@@ -133,7 +98,7 @@ TissueSurface::TissueSurface(MirroredCenters centers, std::size_t numberOfPoints
 void
 TissueSurface::EstimateDepths()
 {
-  auto heights = CollectHeights(m_Complex, m_Centers, m_Normals);
+  const auto heights = CollectHeights(m_Complex, m_Centers, m_Normals);
   m_Depths.assign(m_Centers.size(), 0.0);
   for (std::size_t v = 1; v < m_Centers.size(); ++v)
   {

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Points/TissueVotes.h"
 
+#include "Common/Algorithms.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Metric.h"
 #include "TissueTessellationCore/Image/BlockScan.h"
@@ -96,8 +97,7 @@ FindQuadruples(const std::vector<Label> & labels, const TissueGrid & grid)
     std::sort(cells.begin(), cells.end());
     quadruples.push_back(cells);
   }
-  std::sort(quadruples.begin(), quadruples.end());
-  quadruples.erase(std::unique(quadruples.begin(), quadruples.end()), quadruples.end());
+  SortUnique(quadruples);
   return quadruples;
 }
 

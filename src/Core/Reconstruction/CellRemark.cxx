@@ -7,10 +7,11 @@
 #include "TissueTessellationCore/Reconstruction/CellRemark.h"
 
 #include "Adjacency/ReferenceAdjacency.h"
+#include "Common/Algorithms.h"
 #include "Complex/AdjacencyComplex.h"
+#include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 #include <tuple>
 
@@ -106,31 +107,34 @@ CollectWallLinks(const JunctionSet & junctions)
 int
 CountWallsOfLinks(const WallLink * begin, const WallLink * end)
 {
-  std::map<VertexId, VertexId> parents;
-  const auto                   find = [&parents](VertexId v) {
-    while (parents.emplace(v, v).first->second != v)
-    {
-      v = parents[v];
-    }
-    return v;
+  std::vector<VertexId> others;
+  for (const WallLink * link = begin; link != end; ++link)
+  {
+    others.insert(others.end(), link->others.begin(), link->others.end());
+  }
+  SortUnique(others);
+  const auto indexOf = [&others](VertexId v) {
+    return std::lower_bound(others.begin(), others.end(), v) - others.begin();
   };
-  int cycles = 0;
+  DisjointSets sets(others.size());
+  auto         components = static_cast<int>(others.size());
+  int          cycles = 0;
   for (const bool isExact : { true, false })
   {
     for (const WallLink * link = begin; link != end; ++link)
     {
       if (link->isExact == isExact)
       {
-        const VertexId a = find(link->others[0]);
-        const VertexId b = find(link->others[1]);
-        cycles += isExact && a == b ? 1 : 0;
-        parents[a] = b;
+        const auto a = indexOf(link->others[0]);
+        const auto b = indexOf(link->others[1]);
+        const bool isCycle = sets.Find(a) == sets.Find(b);
+        cycles += isExact && isCycle ? 1 : 0;
+        components -= isCycle ? 0 : 1;
+        sets.Unite(a, b);
       }
     }
   }
-  const auto components =
-    std::count_if(parents.begin(), parents.end(), [](const auto & entry) { return entry.first == entry.second; });
-  return std::max(cycles, static_cast<int>(components));
+  return std::max(cycles, components);
 }
 
 /** Of each vertex the number of its neighbours in the image to which it has several separate walls. */

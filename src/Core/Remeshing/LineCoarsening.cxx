@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Remeshing/LineCoarsening.h"
 
+#include "Common/Algorithms.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 
 #include <algorithm>
@@ -92,8 +93,7 @@ LineCoarsening::NeighborsIn(WallId wall, PointId point) const
       }
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  SortUnique(neighbors);
   return neighbors;
 }
 
@@ -129,8 +129,7 @@ LineCoarsening::CanMerge(PointId point, PointId into, PointId other) const
   {
     walls.push_back(m_Mesh.wallOfTriangle[t]);
   }
-  std::sort(walls.begin(), walls.end());
-  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  SortUnique(walls);
   return std::all_of(
            walls.begin(), walls.end(), [&](WallId wall) { return this->WallCanMerge(wall, point, into, other); }) &&
          this->CanBeAt(point, m_Mesh.points[into], into);

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Tessellation/AnisotropicTessellation.h"
 
+#include "TissueTessellationCore/Geometry/Vector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,8 +19,7 @@ namespace
 double
 SquaredDistance(const MetricSeed & seed, const Point & point)
 {
-  const Point & s = seed.position;
-  return QuadraticForm(seed.metric, { { point[0] - s[0], point[1] - s[1], point[2] - s[2] } });
+  return QuadraticForm(seed.metric, point - seed.position);
 }
 
 double
@@ -103,21 +104,13 @@ AnisotropicTessellation::SortSeedsIntoBins()
     const Bin bin = this->FindBin(seed.position);
     return static_cast<std::size_t>((bin[2] * m_NumberOfBins[1] + bin[1]) * m_NumberOfBins[0] + bin[0]);
   };
-  m_FirstSeedOfBin.assign(static_cast<std::size_t>(m_NumberOfBins[0] * m_NumberOfBins[1] * m_NumberOfBins[2]) + 1, 0);
-  for (const MetricSeed & seed : m_Seeds)
-  {
-    ++m_FirstSeedOfBin[binIndex(seed) + 1];
-  }
-  for (std::size_t i = 1; i < m_FirstSeedOfBin.size(); ++i)
-  {
-    m_FirstSeedOfBin[i] += m_FirstSeedOfBin[i - 1];
-  }
-  std::vector<std::size_t> next(m_FirstSeedOfBin);
-  m_SeedsByBin.resize(m_Seeds.size());
-  for (std::size_t i = 0; i < m_Seeds.size(); ++i)
-  {
-    m_SeedsByBin[next[binIndex(m_Seeds[i])]++] = static_cast<SeedId>(i);
-  }
+  const std::int64_t numberOfBins = m_NumberOfBins[0] * m_NumberOfBins[1] * m_NumberOfBins[2];
+  m_SeedsOfBin.Assign(static_cast<std::size_t>(numberOfBins), [&](const auto & add) {
+    for (std::size_t i = 0; i < m_Seeds.size(); ++i)
+    {
+      add(binIndex(m_Seeds[i]), static_cast<SeedId>(i));
+    }
+  });
 }
 
 void
@@ -128,9 +121,8 @@ AnisotropicTessellation::FindCandidates(const Point & center, double radius, std
   double     bound = std::numeric_limits<double>::infinity();
   const auto visitBin = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
     const auto bin = static_cast<std::size_t>((z * m_NumberOfBins[1] + y) * m_NumberOfBins[0] + x);
-    for (std::size_t i = m_FirstSeedOfBin[bin]; i < m_FirstSeedOfBin[bin + 1]; ++i)
+    for (const SeedId seed : m_SeedsOfBin[bin])
     {
-      const SeedId seed = m_SeedsByBin[i];
       bound = std::min(bound, std::sqrt(SquaredDistance(m_Seeds[seed], center)) + m_LengthBounds[seed] * radius);
       candidates.push_back(seed);
     }
