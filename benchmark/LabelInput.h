@@ -9,7 +9,7 @@
 
 #include "PeerMeshers.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
-#include "itkTissueJunctions.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <string>
 
@@ -21,9 +21,12 @@ using LabelImage = itk::Image<std::int32_t, 3>;
 LabelImage::Pointer
 ReadLabels(const std::string & path);
 
-/** With the filter's default parameters. \throws itk::ExceptionObject as the filter does. */
-itk::TissueJunctions::Pointer
-ExtractJunctions(const LabelImage * labels);
+using LabelExtraction = itk::LabelJunctionExtractionFilter<LabelImage>;
+
+/** The filter after its update, with default parameters but that it makes the label volume, too. \throws
+ * itk::ExceptionObject as the filter does. */
+LabelExtraction::Pointer
+ExtractTissue(const LabelImage * labels);
 
 /** Labels that are none of the cells become the exterior. */
 CellImage::Pointer
