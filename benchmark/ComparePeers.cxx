@@ -13,7 +13,6 @@
 #include "TissueTessellationVTKBridge.h"
 #include "itkCoreExecution.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
-#include "itkLabelImageToLabelVolume.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -66,11 +65,11 @@ RunPipeline(const Options & options, itk::CellWallMesh::Pointer & mesh)
   Stopwatch  phase;
   const auto labels = ReadLabels(options.labels);
   run.phases.push_back({ "read", phase.Lap().wallSeconds });
-  const auto extracted = ExtractJunctions(labels);
+  const auto extraction = ExtractTissue(labels);
   const auto filter = itk::JunctionsToCellWallMeshFilter::New();
-  filter->SetInput(extracted);
+  filter->SetInput(extraction->GetOutput());
+  filter->SetLabelVolume(extraction->GetLabelVolume());
   filter->SetRefinement(options.refinement);
-  filter->SetLabelVolume(itk::MakeLabelVolume(labels.GetPointer(), extracted->GetJunctionSet()));
   run.phases.push_back({ "extract", phase.Lap().wallSeconds });
   filter->Update();
   mesh = filter->GetOutput();
@@ -111,8 +110,9 @@ RunOurs(const Options & options)
     ours.phases[p].wallSeconds = median([p](const Contestant & run) { return run.phases[p].wallSeconds; });
   }
   const JunctionSet junctions = MergeVoids(mesh->GetJunctionSet());
-  ours.evaluation =
-    Evaluate(mesh->GetWallMesh(), junctions, *itk::MakeLabelVolume(ReadLabels(options.labels).GetPointer(), junctions));
+  const auto        extraction = ExtractTissue(ReadLabels(options.labels));
+  ours.evaluation = Evaluate(
+    mesh->GetWallMesh(), junctions, MergeVoids(extraction->GetLabelVolume()->GetLabelVolume(), junctions.cells.size()));
   return ours;
 }
 
@@ -176,8 +176,7 @@ Compare(const Options & options)
 {
   std::vector<Contestant> contestants = { RunOurs(options) };
   const auto              labels = ReadLabels(options.labels);
-  const auto              extracted = ExtractJunctions(labels);
-  const JunctionSet       junctions = MergeVoids(extracted->GetJunctionSet());
+  const JunctionSet       junctions = MergeVoids(ExtractTissue(labels)->GetOutput()->GetJunctionSet());
   const auto              cells = MakeCellImage(labels, junctions.cells);
   const LabelVolume       volume = MakePeerVolume(cells);
   const std::size_t       numberOfCells = junctions.cells.size() - 1;

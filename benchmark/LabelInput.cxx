@@ -6,8 +6,6 @@
  *=========================================================================*/
 #include "LabelInput.h"
 
-#include "itkLabelJunctionExtractionFilter.h"
-
 #include <itkConstantPadImageFilter.h>
 #include <itkImageFileReader.h>
 #include <itkUnaryGeneratorImageFilter.h>
@@ -25,13 +23,14 @@ ReadLabels(const std::string & path)
   return reader->GetOutput();
 }
 
-itk::TissueJunctions::Pointer
-ExtractJunctions(const LabelImage * labels)
+LabelExtraction::Pointer
+ExtractTissue(const LabelImage * labels)
 {
-  const auto extraction = itk::LabelJunctionExtractionFilter<LabelImage>::New();
+  const auto extraction = LabelExtraction::New();
   extraction->SetInput(labels);
+  extraction->GenerateLabelVolumeOn();
   extraction->Update();
-  return extraction->GetOutput();
+  return extraction;
 }
 
 CellImage::Pointer

@@ -9,7 +9,7 @@
 
 #include "PeerMeshers.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
-#include "itkTissueJunctions.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <string>
 
@@ -22,9 +22,12 @@ using LabelImage = itk::Image<std::int32_t, 3>;
 LabelImage::Pointer
 ReadLabels(const std::string & path);
 
-/** Extracts the junctions with the filter's default parameters. \throws itk::ExceptionObject as the filter does. */
-itk::TissueJunctions::Pointer
-ExtractJunctions(const LabelImage * labels);
+using LabelExtraction = itk::LabelJunctionExtractionFilter<LabelImage>;
+
+/** Returns the filter after its update, with default parameters but that it makes the label volume, too. \throws
+ * itk::ExceptionObject as the filter does. */
+LabelExtraction::Pointer
+ExtractTissue(const LabelImage * labels);
 
 /** Makes the image of vertices that the peers are given. Labels that are none of the cells' become the exterior. */
 CellImage::Pointer

@@ -98,8 +98,8 @@ MakeTissues(std::int64_t numberOfCells)
   std::vector<Tissue>    tissues;
   do
   {
-    const auto extracted = ExtractJunctions(MakeTissue(numberOfCells, tissues.size() + 1));
-    tissues.emplace_back(extracted->GetJunctionSet());
+    const auto extraction = ExtractTissue(MakeTissue(numberOfCells, tissues.size() + 1));
+    tissues.emplace_back(extraction->GetOutput()->GetJunctionSet());
   } while (static_cast<std::int64_t>(tissues.size() + 1) * numberOfCells <= cellsOfAll);
   return tissues;
 }

@@ -10,8 +10,10 @@
 #include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
 #include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 #include "itkCellWallMesh.h"
+#include "itkExteriorLabelSettings.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTissueJunctions.h"
+#include "itkTissueLabelVolume.h"
 
 #include <memory>
 
@@ -22,8 +24,9 @@ namespace itk
  *
  * Inputs: the mesh, one of this module (SetMesh) or triangles with the labels on their two sides (SetTriangles), in the
  * physical space of the image; and the label image, of any integer type, whose buffer must hold the largest possible
- * region. Points of the mesh at the very same place are taken for one. Voids that the tissue encloses are the
- * exterior's, as a mesh of any origin knows one exterior.
+ * region, or what LabelJunctionExtractionFilter has made of it (SetJunctions, SetLabelVolume). Points of the mesh at
+ * the very same place are taken for one. Voids that the tissue encloses are the exterior's, as a mesh of any origin
+ * knows one exterior.
  *
  * Compute() finds all of tissue::TissueMeshEvaluation, whose comments say what each figure is: adjacency2 and 4,
  * corners of more than four cells, closed cells and their Euler characteristic, volume errors, the walls' distance to
@@ -62,23 +65,14 @@ public:
   SetTriangles(TrianglesType triangles);
 #endif
 
-  /** The junctions of the image, of who has them already. Default: none, which extracts them. */
+  /** The junctions and the label volume of the image, of who has them already: both, in place of SetImage(). Default:
+   * none, which extracts them from the image. */
   itkSetConstObjectMacro(Junctions, TissueJunctions);
+  itkSetConstObjectMacro(LabelVolume, TissueLabelVolume);
 
-  /** The exterior's label, where junctions are to be extracted; to set it turns AutomaticExteriorLabel off. */
-  void
-  SetExteriorLabel(tissue::Label label);
-  itkGetConstMacro(ExteriorLabel, tissue::Label);
-
-  /** As of LabelJunctionExtractionFilter. Default: on. */
-  itkSetMacro(AutomaticExteriorLabel, bool);
-  itkGetConstMacro(AutomaticExteriorLabel, bool);
-  itkBooleanMacro(AutomaticExteriorLabel);
-
-  /** As of LabelJunctionExtractionFilter. Default: off. */
-  itkSetMacro(ZeroIsCell, bool);
-  itkGetConstMacro(ZeroIsCell, bool);
-  itkBooleanMacro(ZeroIsCell);
+  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell, where junctions are extracted: see
+   * itkExteriorLabelSettings.h. */
+  itkExteriorLabelMacro();
 
   /** Default: that of MultiThreaderBase. */
   void
@@ -86,8 +80,9 @@ public:
   ThreadIdType
   GetNumberOfWorkUnits() const;
 
-  /** \throws ExceptionObject: no image or mesh; no junctions in the image; a label that the image has not, or on both
-   * sides of a triangle; a point that is not finite; a triangle with a point that is not there. */
+  /** \throws ExceptionObject: no image or mesh; junctions without a label volume, or the other way round; no junctions
+   * in the image; a label that the image has not, or on both sides of a triangle; a point that is not finite; a
+   * triangle with a point that is not there. */
   void
   Compute();
 
@@ -135,17 +130,18 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  /** Those of the image, with one exterior. */
-  tissue::JunctionSet
-  MakeJunctionSet() const;
+  void
+  CheckInputs() const;
+
+  void
+  Evaluate(const tissue::JunctionSet & junctions, const tissue::LabelVolume & labels);
 
   typename LabelImageType::ConstPointer m_Image;
   TrianglesType                         m_Triangles;
   TissueJunctions::ConstPointer         m_Junctions;
+  TissueLabelVolume::ConstPointer       m_LabelVolume;
   MultiThreaderBase::Pointer            m_MultiThreader;
-  tissue::Label                         m_ExteriorLabel = 0;
-  bool                                  m_AutomaticExteriorLabel = true;
-  bool                                  m_ZeroIsCell = false;
+  ExteriorLabelSettings                 m_Exterior;
 
   std::vector<tissue::Cell>                           m_Cells;
   std::unique_ptr<const tissue::TissueMeshEvaluation> m_Evaluation;

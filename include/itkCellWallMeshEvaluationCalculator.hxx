@@ -10,8 +10,8 @@
 #include "itkCellWallMeshEvaluationCalculator.h"
 
 #include "TissueTessellationCore/Adjacency/Voids.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkCoreExecution.h"
-#include "itkLabelImageToLabelVolume.h"
 #include "itkLabelJunctionExtractionFilter.h"
 
 #include <stdexcept>
@@ -49,18 +49,6 @@ CellWallMeshEvaluationCalculator<TLabelImage>::SetTriangles(TrianglesType triang
 
 template <typename TLabelImage>
 void
-CellWallMeshEvaluationCalculator<TLabelImage>::SetExteriorLabel(tissue::Label label)
-{
-  if (m_ExteriorLabel != label || m_AutomaticExteriorLabel)
-  {
-    m_ExteriorLabel = label;
-    m_AutomaticExteriorLabel = false;
-    this->Modified();
-  }
-}
-
-template <typename TLabelImage>
-void
 CellWallMeshEvaluationCalculator<TLabelImage>::SetNumberOfWorkUnits(ThreadIdType number)
 {
   m_MultiThreader->SetNumberOfWorkUnits(number);
@@ -74,25 +62,21 @@ CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfWorkUnits() const
 }
 
 template <typename TLabelImage>
-tissue::JunctionSet
-CellWallMeshEvaluationCalculator<TLabelImage>::MakeJunctionSet() const
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::CheckInputs() const
 {
-  if (m_Junctions)
+  if (!m_Triangles)
   {
-    const tissue::JunctionSet & junctions = m_Junctions->GetJunctionSet();
-    return junctions.voids.empty() ? junctions : tissue::MergeVoids(junctions);
+    itkExceptionMacro("The mesh is not set.");
   }
-  const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
-  extraction->SetInput(m_Image);
-  if (!m_AutomaticExteriorLabel)
+  if (m_Junctions.IsNull() != m_LabelVolume.IsNull())
   {
-    extraction->SetExteriorLabel(m_ExteriorLabel);
+    itkExceptionMacro("The " << (m_Junctions ? "label volume" : "junctions") << " of the image must be set, too.");
   }
-  extraction->SetZeroIsCell(m_ZeroIsCell);
-  extraction->SeparateVoidsOff();
-  extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  extraction->Update();
-  return extraction->GetOutput()->GetJunctionSet();
+  if (!m_Junctions && !m_Image)
+  {
+    itkExceptionMacro("The image is not set.");
+  }
 }
 
 template <typename TLabelImage>
@@ -100,16 +84,36 @@ void
 CellWallMeshEvaluationCalculator<TLabelImage>::Compute()
 {
   m_Evaluation.reset();
-  if (!m_Image || !m_Triangles)
+  this->CheckInputs();
+  if (m_Junctions)
   {
-    itkExceptionMacro("The " << (m_Image ? "mesh" : "image") << " is not set.");
+    this->Evaluate(m_Junctions->GetJunctionSet(), m_LabelVolume->GetLabelVolume());
+    return;
   }
-  const tissue::JunctionSet junctions = this->MakeJunctionSet();
+  const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
+  extraction->SetInput(m_Image);
+  m_Exterior.ApplyTo(extraction.GetPointer());
+  extraction->SeparateVoidsOff();
+  extraction->GenerateLabelVolumeOn();
+  extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  extraction->Update();
+  this->Evaluate(extraction->GetOutput()->GetJunctionSet(), extraction->GetLabelVolume()->GetLabelVolume());
+}
+
+template <typename TLabelImage>
+void
+CellWallMeshEvaluationCalculator<TLabelImage>::Evaluate(const tissue::JunctionSet & junctions,
+                                                        const tissue::LabelVolume & labels)
+{
+  if (!junctions.voids.empty())
+  {
+    this->Evaluate(tissue::MergeVoids(junctions), tissue::MergeVoids(labels, junctions.cells.size()));
+    return;
+  }
   m_Evaluation = RunCore(this, [&] {
     const auto walls = tissue::MakeWallMesh(tissue::FindCellsOfTriangles(*m_Triangles, junctions));
-    const auto labels = MakeLabelVolume(m_Image.GetPointer(), junctions);
     return std::make_unique<const tissue::TissueMeshEvaluation>(
-      tissue::EvaluateTissueMesh(walls, junctions, *labels, MakeExecution(m_MultiThreader)));
+      tissue::EvaluateTissueMesh(walls, junctions, labels, MakeExecution(m_MultiThreader)));
   });
   m_Cells = junctions.cells;
 }
@@ -218,10 +222,9 @@ CellWallMeshEvaluationCalculator<TLabelImage>::PrintSelf(std::ostream & os, Inde
   itkPrintSelfObjectMacro(Image);
   os << indent << "Triangles: " << (m_Triangles ? m_Triangles->triangles.size() : 0) << std::endl;
   itkPrintSelfObjectMacro(Junctions);
+  itkPrintSelfObjectMacro(LabelVolume);
   itkPrintSelfObjectMacro(MultiThreader);
-  os << indent << "ExteriorLabel: " << m_ExteriorLabel << std::endl;
-  os << indent << "AutomaticExteriorLabel: " << (m_AutomaticExteriorLabel ? "On" : "Off") << std::endl;
-  os << indent << "ZeroIsCell: " << (m_ZeroIsCell ? "On" : "Off") << std::endl;
+  m_Exterior.Print(os, indent);
   os << indent << "Evaluation: " << (m_Evaluation ? "computed" : "none") << std::endl;
 }
 } // namespace itk

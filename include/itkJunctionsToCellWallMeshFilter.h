@@ -9,11 +9,7 @@
 
 #include "TissueTessellationExport.h"
 #include "itkCellWallMeshSource.h"
-
-namespace tissue
-{
-struct LabelVolume;
-}
+#include "itkTissueLabelVolume.h"
 
 namespace itk
 {
@@ -28,8 +24,14 @@ class TissueJunctions;
  * doi:10.1109/3DV.2015.57, sections 3 and 4.2). It is a closed surface for every cell, and at most four cells meet at
  * any point.
  *
+ * With the label volume of the junctions as the second input the walls are fitted to the image:
+ *
+ *     extraction->GenerateLabelVolumeOn();
+ *     filter->SetInput(extraction->GetOutput());
+ *     filter->SetLabelVolume(extraction->GetLabelVolume());
+ *
  * Progress is that of the whole; the filter can be aborted. Throws ExceptionObject for fewer than four cells, for cells
- * whose centres are coplanar, and for parameters out of range.
+ * whose centres are coplanar, for parameters out of range, and for a label volume that is empty.
  *
  * \sa LabelJunctionExtractionFilter LabelImageToCellWallMeshFilter
  * \ingroup TissueTessellation
@@ -54,12 +56,10 @@ public:
   const TissueJunctions *
   GetInput() const;
 
-#ifndef ITK_WRAPPING_PARSER
-  /** The label image of the junctions (itkLabelVolume.h): the walls are fitted to it. Without one they are smoothed
-   * stars. For C++. */
-  void
-  SetLabelVolume(std::shared_ptr<const tissue::LabelVolume> volume);
-#endif
+  /** Optional: the label volume that LabelJunctionExtractionFilter makes with the junctions. The walls are fitted to
+   * it; without one they are smoothed stars. */
+  itkSetInputMacro(LabelVolume, TissueLabelVolume);
+  itkGetInputMacro(LabelVolume, TissueLabelVolume);
 
 protected:
   JunctionsToCellWallMeshFilter();
@@ -67,9 +67,6 @@ protected:
 
   void
   GenerateData() override;
-
-private:
-  std::shared_ptr<const tissue::LabelVolume> m_LabelVolume;
 };
 } // namespace itk
 

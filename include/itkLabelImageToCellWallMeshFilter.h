@@ -7,8 +7,8 @@
 #ifndef itkLabelImageToCellWallMeshFilter_h
 #define itkLabelImageToCellWallMeshFilter_h
 
-#include "TissueTessellationCore/Common/Types.h"
 #include "itkCellWallMeshSource.h"
+#include "itkExteriorLabelSettings.h"
 
 namespace itk
 {
@@ -17,7 +17,7 @@ namespace itk
  *
  * The mini-pipeline:
  *
- *     label image -> LabelJunctionExtractionFilter -> JunctionsToCellWallMeshFilter -> cell-wall mesh
+ *     label image -> LabelJunctionExtractionFilter -> junctions, label volume -> JunctionsToCellWallMeshFilter -> mesh
  *
  * See the two filters for what they do, require and throw. The input is any 3-D image of an integer pixel type, one
  * label for each cell and one for the exterior; spacing, origin and direction are applied.
@@ -46,20 +46,8 @@ public:
   const LabelImageType *
   GetInput() const;
 
-  /** The exterior's label; to set it turns AutomaticExteriorLabel off. */
-  void
-  SetExteriorLabel(tissue::Label label);
-  itkGetConstMacro(ExteriorLabel, tissue::Label);
-
-  /** Find the exterior's label in the image: see LabelJunctionExtractionFilter. Default: on. */
-  itkSetMacro(AutomaticExteriorLabel, bool);
-  itkGetConstMacro(AutomaticExteriorLabel, bool);
-  itkBooleanMacro(AutomaticExteriorLabel);
-
-  /** Take label 0 for a cell, if it is not the exterior's. Default: off. */
-  itkSetMacro(ZeroIsCell, bool);
-  itkGetConstMacro(ZeroIsCell, bool);
-  itkBooleanMacro(ZeroIsCell);
+  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell: see itkExteriorLabelSettings.h. */
+  itkExteriorLabelMacro();
 
 protected:
   LabelImageToCellWallMeshFilter();
@@ -72,9 +60,7 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  tissue::Label m_ExteriorLabel = 0;
-  bool          m_AutomaticExteriorLabel = true;
-  bool          m_ZeroIsCell = false;
+  ExteriorLabelSettings m_Exterior;
 };
 } // namespace itk
 

@@ -11,7 +11,6 @@
 
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "itkJunctionsToCellWallMeshFilter.h"
-#include "itkLabelImageToLabelVolume.h"
 #include "itkLabelJunctionExtractionFilter.h"
 #include "itkProgressAccumulator.h"
 
@@ -39,18 +38,6 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GetInput() const -> const LabelImag
 
 template <typename TLabelImage>
 void
-LabelImageToCellWallMeshFilter<TLabelImage>::SetExteriorLabel(tissue::Label label)
-{
-  if (m_ExteriorLabel != label || m_AutomaticExteriorLabel)
-  {
-    m_ExteriorLabel = label;
-    m_AutomaticExteriorLabel = false;
-    this->Modified();
-  }
-}
-
-template <typename TLabelImage>
-void
 LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
 {
   const auto progress = ProgressAccumulator::New();
@@ -58,30 +45,19 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
 
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(this->GetInput());
-  if (m_AutomaticExteriorLabel)
-  {
-    extraction->AutomaticExteriorLabelOn();
-  }
-  else
-  {
-    extraction->SetExteriorLabel(m_ExteriorLabel);
-  }
-  extraction->SetZeroIsCell(m_ZeroIsCell);
+  m_Exterior.ApplyTo(extraction.GetPointer());
   extraction->SetSeparateVoids(this->GetParameters().separateVoids);
+  extraction->SetGenerateLabelVolume(this->GetParameters().fitToImage);
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(extraction, 0.3f);
 
   const auto reconstruction = JunctionsToCellWallMeshFilter::New();
   reconstruction->SetInput(extraction->GetOutput());
+  reconstruction->SetLabelVolume(extraction->GetLabelVolume());
   reconstruction->SetParameters(this->GetParameters());
   reconstruction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(reconstruction, 0.7f);
 
-  extraction->Update();
-  if (this->GetParameters().fitToImage)
-  {
-    reconstruction->SetLabelVolume(MakeLabelVolume(this->GetInput(), extraction->GetOutput()->GetJunctionSet()));
-  }
   reconstruction->Update();
   this->GetOutput()->Graft(reconstruction->GetOutput());
 }
@@ -91,9 +67,7 @@ void
 LabelImageToCellWallMeshFilter<TLabelImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "ExteriorLabel: " << m_ExteriorLabel << std::endl;
-  os << indent << "AutomaticExteriorLabel: " << (m_AutomaticExteriorLabel ? "On" : "Off") << std::endl;
-  os << indent << "ZeroIsCell: " << (m_ZeroIsCell ? "On" : "Off") << std::endl;
+  m_Exterior.Print(os, indent);
 }
 } // namespace itk
 

@@ -7,9 +7,11 @@
 #ifndef itkLabelJunctionExtractionFilter_h
 #define itkLabelJunctionExtractionFilter_h
 
+#include "itkExteriorLabelSettings.h"
 #include "itkImage.h"
 #include "itkProcessObject.h"
 #include "itkTissueJunctions.h"
+#include "itkTissueLabelVolume.h"
 
 #include <array>
 #include <map>
@@ -29,6 +31,8 @@ namespace itk
  *
  * Input: a three-dimensional image of any integer pixel type, spacing, origin and direction; each label is a cell, ids
  * may have gaps. Output: TissueJunctions, in the physical space of the image (tissue::JunctionSet says what it holds).
+ * Second output, if asked for: TissueLabelVolume, the image by the vertices of the junctions, which the walls of
+ * JunctionsToCellWallMeshFilter are fitted to.
  *
  * Cells that share a voxel face have a wall. A window of 2x2x2 voxels passes over the image and one voxel beyond on all
  * sides: each three of the labels it sees are a triple line, each four a junction (section 3.4 of the paper).
@@ -40,7 +44,8 @@ namespace itk
  *
  * The image is split along its last axis among the threads and streamed row by row, as runs of equal labels: time is
  * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of
- * the blocks of four and more labels. The output is the same for any number of threads.
+ * the blocks of four and more labels; the label volume takes 4 bytes a voxel. The outputs are the same for any number
+ * of threads.
  *
  * Errors (ExceptionObject): an exterior label set that the image does not have, fewer than four cells, a label above
  * the range of 64 bits signed.
@@ -48,6 +53,7 @@ namespace itk
  * G. Cerutti, S. Ribes, C. Galvan-Ampudia, T. Vernoux, C. Godin: 3-D tessellation of plant tissue. A dual optimization
  * approach to cell-level meristem reconstruction from microscopy images. 3DV 2015.
  *
+ * \sa JunctionsToCellWallMeshFilter
  * \sa ExteriorLabelImageCalculator
  * \sa LabelGapClosingImageFilter
  * \ingroup TissueTessellation
@@ -81,20 +87,19 @@ public:
   const OutputType *
   GetOutput() const;
 
-  /** The label of the exterior of the tissue. To set it turns AutomaticExteriorLabel off. */
-  void
-  SetExteriorLabel(tissue::Label label);
-  itkGetConstMacro(ExteriorLabel, tissue::Label);
+  /** The second output; empty unless GenerateLabelVolume is on. */
+  TissueLabelVolume *
+  GetLabelVolume();
+  const TissueLabelVolume *
+  GetLabelVolume() const;
 
-  /** Find the exterior label by ExteriorLabelImageCalculator. Default: on. */
-  itkSetMacro(AutomaticExteriorLabel, bool);
-  itkGetConstMacro(AutomaticExteriorLabel, bool);
-  itkBooleanMacro(AutomaticExteriorLabel);
+  /** Make the second output. Default: off. */
+  itkSetMacro(GenerateLabelVolume, bool);
+  itkGetConstMacro(GenerateLabelVolume, bool);
+  itkBooleanMacro(GenerateLabelVolume);
 
-  /** Take label 0 for a cell, if it is not the exterior label. Default: off. */
-  itkSetMacro(ZeroIsCell, bool);
-  itkGetConstMacro(ZeroIsCell, bool);
-  itkBooleanMacro(ZeroIsCell);
+  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell: see itkExteriorLabelSettings.h. */
+  itkExteriorLabelMacro();
 
   /** Tell enclosed voids from the exterior. Default: on. */
   itkSetMacro(SeparateVoids, bool);
@@ -124,6 +129,10 @@ private:
   /** The scans by their first planes. */
   using ScanMap = std::map<IndexValueType, std::shared_ptr<tissue::BlockScan>>;
 
+  /** Those set or found. */
+  tissue::ExteriorLabels
+  FindExteriorLabels() const;
+
   ScanMap
   ScanImage(const std::array<std::int32_t, 3> & size, const tissue::ExteriorLabels & exterior);
 
@@ -131,7 +140,7 @@ private:
   Gather(const ScanMap & scans, const std::array<std::int32_t, 3> & size,
          const tissue::ExteriorLabels & exterior) const;
 
-  /** Scans the image again with each enclosed void as a label of its own, if there is one. */
+  /** Scans the image again with each enclosed void as a label of its own, if there is one; m_Voids then has them. */
   void
   SeparateVoidsOf(tissue::JunctionSet & junctions, const std::array<std::int32_t, 3> & size,
                   tissue::ExteriorLabels exterior);
@@ -159,12 +168,19 @@ private:
   void
   TransformToPhysicalSpace(tissue::JunctionSet & junctions) const;
 
-  tissue::Label m_ExteriorLabel = 0;
-  bool          m_AutomaticExteriorLabel = true;
-  bool          m_ZeroIsCell = false;
-  bool          m_SeparateVoids = true;
+  /** Each voxel by its vertex in the junctions, whose voids are those of m_Voids. A label that is no cell's is the
+   * exterior's. */
+  std::shared_ptr<const tissue::LabelVolume>
+  MakeLabelVolume(const tissue::JunctionSet & junctions) const;
 
-  /** While the image is scanned with its voids; else null. */
+  void
+  NumberVoxels(const tissue::JunctionSet & junctions, std::vector<tissue::VertexId> & vertices) const;
+
+  ExteriorLabelSettings m_Exterior;
+  bool                  m_SeparateVoids = true;
+  bool                  m_GenerateLabelVolume = false;
+
+  /** The numbers of the enclosed voids, from 1, while the outputs are made of an image that has some; else null. */
   Image<std::uint32_t, 3>::Pointer m_Voids;
   tissue::Label                    m_FirstVoidLabel = 0;
 };

@@ -11,6 +11,8 @@
 
 #include "TissueTessellationCore/Image/BlockScan.h"
 #include "TissueTessellationCore/Image/GatherJunctions.h"
+#include "TissueTessellationCore/Image/LabelIndexer.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkContinuousIndex.h"
 #include "itkEnclosedVoidImageFilter.h"
 #include "itkExteriorLabelImageCalculator.h"
@@ -24,6 +26,7 @@
 #include <limits>
 #include <mutex>
 #include <type_traits>
+#include <unordered_map>
 
 namespace itk
 {
@@ -33,8 +36,9 @@ LabelJunctionExtractionFilter<TLabelImage>::LabelJunctionExtractionFilter()
   static_assert(LabelImageType::ImageDimension == 3, "A tissue is an image in three dimensions.");
   static_assert(std::is_integral<LabelPixelType>::value, "Labels are integers.");
   this->SetNumberOfRequiredInputs(1);
-  this->SetNumberOfRequiredOutputs(1);
+  this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(0, this->MakeOutput(0));
+  this->SetNthOutput(1, this->MakeOutput(1));
 }
 
 template <typename TLabelImage>
@@ -67,22 +71,28 @@ LabelJunctionExtractionFilter<TLabelImage>::GetOutput() const -> const OutputTyp
 }
 
 template <typename TLabelImage>
-ProcessObject::DataObjectPointer
-LabelJunctionExtractionFilter<TLabelImage>::MakeOutput(ProcessObject::DataObjectPointerArraySizeType)
+TissueLabelVolume *
+LabelJunctionExtractionFilter<TLabelImage>::GetLabelVolume()
 {
-  return OutputType::New().GetPointer();
+  return itkDynamicCastInDebugMode<TissueLabelVolume *>(this->ProcessObject::GetOutput(1));
 }
 
 template <typename TLabelImage>
-void
-LabelJunctionExtractionFilter<TLabelImage>::SetExteriorLabel(tissue::Label label)
+const TissueLabelVolume *
+LabelJunctionExtractionFilter<TLabelImage>::GetLabelVolume() const
 {
-  if (m_AutomaticExteriorLabel || m_ExteriorLabel != label)
+  return itkDynamicCastInDebugMode<const TissueLabelVolume *>(this->ProcessObject::GetOutput(1));
+}
+
+template <typename TLabelImage>
+ProcessObject::DataObjectPointer
+LabelJunctionExtractionFilter<TLabelImage>::MakeOutput(ProcessObject::DataObjectPointerArraySizeType index)
+{
+  if (index == 1)
   {
-    m_AutomaticExteriorLabel = false;
-    m_ExteriorLabel = label;
-    this->Modified();
+    return TissueLabelVolume::New().GetPointer();
   }
+  return OutputType::New().GetPointer();
 }
 
 template <typename TLabelImage>
@@ -98,24 +108,29 @@ LabelJunctionExtractionFilter<TLabelImage>::GetUsedExteriorLabel() const
 }
 
 template <typename TLabelImage>
-void
-LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
+tissue::ExteriorLabels
+LabelJunctionExtractionFilter<TLabelImage>::FindExteriorLabels() const
 {
-  using tissue::BlockScan;
-  const LabelImageType * image = this->GetInput();
-  tissue::ExteriorLabels exterior{ true, m_ExteriorLabel, m_ZeroIsCell };
-  if (m_AutomaticExteriorLabel)
+  tissue::ExteriorLabels exterior{ true, m_Exterior.label, m_Exterior.zeroIsCell };
+  if (m_Exterior.isAutomatic)
   {
     const auto calculator = ExteriorLabelImageCalculator<LabelImageType>::New();
-    calculator->SetImage(image);
-    calculator->SetZeroIsCell(m_ZeroIsCell);
+    calculator->SetImage(this->GetInput());
+    calculator->SetZeroIsCell(m_Exterior.zeroIsCell);
     calculator->Compute();
     exterior.hasLabel = calculator->GetHasExteriorLabel();
     exterior.label = calculator->GetExteriorLabel();
   }
+  return exterior;
+}
 
-  BlockScan::Index size;
-  const auto       imageSize = image->GetLargestPossibleRegion().GetSize();
+template <typename TLabelImage>
+void
+LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
+{
+  const tissue::ExteriorLabels exterior = this->FindExteriorLabels();
+  tissue::BlockScan::Index     size;
+  const auto                   imageSize = this->GetInput()->GetLargestPossibleRegion().GetSize();
   std::copy_n(imageSize.begin(), 3, size.begin());
   m_Voids = nullptr;
   auto junctions = [&]() {
@@ -128,6 +143,11 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   {
     this->SeparateVoidsOf(junctions, size, exterior);
   }
+  if (m_GenerateLabelVolume)
+  {
+    this->GetLabelVolume()->SetLabelVolume(this->MakeLabelVolume(junctions));
+  }
+  m_Voids = nullptr;
   this->TransformToPhysicalSpace(junctions);
   this->GetOutput()->SetJunctionSet(std::move(junctions));
   this->UpdateProgress(1.0f);
@@ -170,7 +190,6 @@ LabelJunctionExtractionFilter<TLabelImage>::SeparateVoidsOf(tissue::JunctionSet 
   m_FirstVoidLabel = largest + 1;
   exterior.numberOfVoids = static_cast<std::int32_t>(voids->GetNumberOfVoids());
   junctions = this->Gather(this->ScanImage(size, exterior), size, exterior);
-  m_Voids = nullptr;
 }
 
 template <typename TLabelImage>
@@ -304,19 +323,19 @@ LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const ScanMap &          
                                                        const tissue::JunctionSet & junctions) const
 {
   const auto hasLabel = [this](const typename ScanMap::value_type & scan) {
-    return scan.second->GetLabels().HasMet(m_ExteriorLabel);
+    return scan.second->GetLabels().HasMet(m_Exterior.label);
   };
-  if (!m_AutomaticExteriorLabel && std::none_of(scans.cbegin(), scans.cend(), hasLabel))
+  if (!m_Exterior.isAutomatic && std::none_of(scans.cbegin(), scans.cend(), hasLabel))
   {
-    itkExceptionMacro(<< "The exterior label " << m_ExteriorLabel << " is not a label of the image, which has "
-                      << junctions.cells.size() - 1 << " labels" << (m_ZeroIsCell ? "" : " other than 0"));
+    itkExceptionMacro(<< "The exterior label " << m_Exterior.label << " is not a label of the image, which has "
+                      << junctions.cells.size() - 1 << " labels" << (m_Exterior.zeroIsCell ? "" : " other than 0"));
   }
   constexpr std::size_t minimum = 4;
   if (junctions.cells.size() - 1 < minimum)
   {
     itkExceptionMacro(<< "The image has " << junctions.cells.size() - 1 << " cells, at least " << minimum
                       << " are needed; the exterior label is " << junctions.cells[tissue::ExteriorVertex].label
-                      << (m_AutomaticExteriorLabel ? " (found automatically)" : ""));
+                      << (m_Exterior.isAutomatic ? " (found automatically)" : ""));
   }
 }
 
@@ -355,14 +374,64 @@ LabelJunctionExtractionFilter<TLabelImage>::TransformToPhysicalSpace(tissue::Jun
 }
 
 template <typename TLabelImage>
+std::shared_ptr<const tissue::LabelVolume>
+LabelJunctionExtractionFilter<TLabelImage>::MakeLabelVolume(const tissue::JunctionSet & junctions) const
+{
+  const LabelImageType * image = this->GetInput();
+  const auto             volume = std::make_shared<tissue::LabelVolume>();
+  const auto             region = image->GetLargestPossibleRegion();
+  const auto             origin = image->template TransformIndexToPhysicalPoint<double>(region.GetIndex());
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    volume->size[i] = static_cast<std::int32_t>(region.GetSize(i));
+    volume->origin[i] = origin[i];
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      volume->steps[i][j] = image->GetDirection()[j][i] * image->GetSpacing()[i];
+    }
+  }
+  volume->vertices.resize(region.GetNumberOfPixels());
+  this->NumberVoxels(junctions, volume->vertices);
+  return volume;
+}
+
+template <typename TLabelImage>
+void
+LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionSet &     junctions,
+                                                         std::vector<tissue::VertexId> & vertices) const
+{
+  std::unordered_map<tissue::Label, tissue::VertexId> vertexOf;
+  for (std::size_t v = 1; v < junctions.cells.size(); ++v)
+  {
+    vertexOf[junctions.cells[v].label] = static_cast<tissue::VertexId>(v);
+  }
+  // The voids' vertices follow the cells' in the order of their numbers, as their labels do.
+  const auto                   beforeVoids = static_cast<tissue::VertexId>(junctions.cells.size()) - 1;
+  const std::uint32_t * const  voids = m_Voids ? m_Voids->GetBufferPointer() : nullptr;
+  const LabelPixelType * const pixels = this->GetInput()->GetBufferPointer();
+  LabelPixelType               recent{};
+  tissue::VertexId             vertex = -1;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    if (vertex < 0 || pixels[i] != recent)
+    {
+      recent = pixels[i];
+      const auto found = vertexOf.find(static_cast<tissue::Label>(recent));
+      vertex = found != vertexOf.end() ? found->second : tissue::ExteriorVertex;
+    }
+    const bool isVoid = voids != nullptr && voids[i] != 0;
+    vertices[i] = isVoid ? beforeVoids + static_cast<tissue::VertexId>(voids[i]) : vertex;
+  }
+}
+
+template <typename TLabelImage>
 void
 LabelJunctionExtractionFilter<TLabelImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "ExteriorLabel: " << m_ExteriorLabel << std::endl;
-  os << indent << "AutomaticExteriorLabel: " << m_AutomaticExteriorLabel << std::endl;
-  os << indent << "ZeroIsCell: " << m_ZeroIsCell << std::endl;
-  os << indent << "SeparateVoids: " << m_SeparateVoids << std::endl;
+  m_Exterior.Print(os, indent);
+  os << indent << "SeparateVoids: " << (m_SeparateVoids ? "On" : "Off") << std::endl;
+  os << indent << "GenerateLabelVolume: " << (m_GenerateLabelVolume ? "On" : "Off") << std::endl;
 }
 } // namespace itk
 

@@ -66,8 +66,8 @@ Evaluate(const Options & options)
   VisitPixelType(input.componentType, [&](auto zero) {
     using ImageType = itk::Image<decltype(zero), 3>;
     const auto calculator = itk::CellWallMeshEvaluationCalculator<ImageType>::New();
-    calculator->SetImage(dynamic_cast<const ImageType *>(input.image.GetPointer()));
     calculator->SetJunctions(input.junctions);
+    calculator->SetLabelVolume(input.volume);
     calculator->SetTriangles(triangles);
     try
     {
@@ -199,8 +199,6 @@ main(int argc, char ** argv)
 {
   return tissue::RunProgram("TissueMeshEvaluation", [&] {
     tissue::Options options;
-    options.input.keepsImage = true;
-    options.input.parameters.fitToImage = false;
     options.input.parameters.separateVoids = false; // a mesh of any origin knows one exterior
     CLI::App app("Judges a mesh of cell walls, of any origin, by the label image that it is of.");
     app.option_defaults()->always_capture_default();

@@ -15,6 +15,7 @@ namespace itk
 JunctionsToCellWallMeshFilter::JunctionsToCellWallMeshFilter()
 {
   this->SetNumberOfRequiredInputs(1);
+  this->AddOptionalInputName("LabelVolume", 1);
 }
 
 void
@@ -30,19 +31,13 @@ JunctionsToCellWallMeshFilter::GetInput() const
 }
 
 void
-JunctionsToCellWallMeshFilter::SetLabelVolume(std::shared_ptr<const tissue::LabelVolume> volume)
-{
-  m_LabelVolume = std::move(volume);
-  this->Modified();
-}
-
-void
 JunctionsToCellWallMeshFilter::GenerateData()
 {
+  const TissueLabelVolume * const   labels = this->GetParameters().fitToImage ? this->GetLabelVolume() : nullptr;
+  const tissue::LabelVolume * const volume = labels != nullptr ? &labels->GetLabelVolume() : nullptr;
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
-  const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(this, [&] {
-    return tissue::ReconstructTissue(*junctions, this->GetParameters(), m_LabelVolume.get(), MakeExecution(this));
-  }));
+  const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(
+    this, [&] { return tissue::ReconstructTissue(*junctions, this->GetParameters(), volume, MakeExecution(this)); }));
   this->GetOutput()->SetReconstruction(junctions, reconstruction);
 }
 } // namespace itk

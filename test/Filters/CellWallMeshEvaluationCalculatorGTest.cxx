@@ -152,6 +152,12 @@ TEST(CellWallMeshEvaluationCalculator, RefusesWhatItCannotJudge)
   const auto triangles = MakeTriangles(image);
   ExpectError(MakeCalculator(nullptr, triangles), "image");
   ExpectError(MakeCalculator(image, nullptr), "mesh");
+  const auto calculator = MakeCalculator(image, triangles);
+  calculator->SetJunctions(itk::TissueJunctions::New());
+  ExpectError(calculator, "label volume");
+  calculator->SetJunctions(nullptr);
+  calculator->SetLabelVolume(itk::TissueLabelVolume::New());
+  ExpectError(calculator, "junctions");
   EXPECT_THROW(CalculatorType::New()->SetMesh(itk::CellWallMesh::New()), itk::ExceptionObject);
 
   const auto foreign = std::make_shared<tissue::TrianglesOfLabels>(*triangles);
@@ -172,14 +178,15 @@ TEST(CellWallMeshEvaluationCalculator, OfAMeshOfThisModuleAgreesWithIt)
   filter->Update();
   const auto extraction = itk::LabelJunctionExtractionFilter<ImageType>::New();
   extraction->SetInput(image);
+  extraction->GenerateLabelVolumeOn();
   extraction->Update();
   const auto calculator = CalculatorType::New();
-  calculator->SetImage(image);
   calculator->SetMesh(filter->GetOutput());
-  for (const itk::TissueJunctions * junctions :
-       { static_cast<itk::TissueJunctions *>(nullptr), extraction->GetOutput() })
+  for (const bool isExtracted : { false, true })
   {
-    calculator->SetJunctions(junctions);
+    calculator->SetImage(isExtracted ? nullptr : image.GetPointer());
+    calculator->SetJunctions(isExtracted ? extraction->GetOutput() : nullptr);
+    calculator->SetLabelVolume(isExtracted ? extraction->GetLabelVolume() : nullptr);
     calculator->Compute();
     const auto & found = calculator->GetEvaluation();
     EXPECT_EQ(found.mesh.numberOfSpheres, 40u);

@@ -16,12 +16,31 @@
 
 namespace
 {
+using ExtractionType = itk::LabelJunctionExtractionFilter<itk::Image<unsigned char, 3>>;
+
+ExtractionType::Pointer
+MakeExtraction()
+{
+  const auto extraction = ExtractionType::New();
+  extraction->SetInput(MakeSyntheticTestTissue<unsigned char>());
+  return extraction;
+}
+
+/** Whose walls are the fitted stars, which takes less time than to remesh them. */
+itk::JunctionsToCellWallMeshFilter::Pointer
+MakeFittingFilter(ExtractionType * extraction)
+{
+  const auto filter = itk::JunctionsToCellWallMeshFilter::New();
+  filter->SetInput(extraction->GetOutput());
+  filter->SetLabelVolume(extraction->GetLabelVolume());
+  filter->SetRefinement(0);
+  return filter;
+}
+
 itk::TissueJunctions::Pointer
 MakeJunctions()
 {
-  using ImageType = itk::Image<unsigned char, 3>;
-  const auto extraction = itk::LabelJunctionExtractionFilter<ImageType>::New();
-  extraction->SetInput(MakeSyntheticTestTissue<unsigned char>());
+  const auto extraction = MakeExtraction();
   extraction->Update();
   return extraction->GetOutput();
 }
@@ -116,6 +135,45 @@ TEST(JunctionsToCellWallMeshFilter, ParametersMakeTheFilterRunAgain)
   filter->SetRefinement(2);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfTriangles(), 16 * numberOfTriangles);
+}
+
+TEST(JunctionsToCellWallMeshFilter, FitsTheWallsToTheVolumeOfAnExtractionThatItUpdates)
+{
+  const auto extraction = MakeExtraction();
+  extraction->GenerateLabelVolumeOn();
+  const auto filter = MakeFittingFilter(extraction);
+  EXPECT_EQ(filter->GetLabelVolume(), extraction->GetLabelVolume());
+  filter->Update();
+  EXPECT_TRUE(filter->GetOutput()->GetReconstruction().isFitted);
+  const auto fitted = filter->GetOutput()->GetWallMesh().points;
+  filter->SetLabelVolume(nullptr);
+  filter->Update();
+  EXPECT_FALSE(filter->GetOutput()->GetReconstruction().isFitted);
+  EXPECT_NE(filter->GetOutput()->GetWallMesh().points, fitted);
+}
+
+TEST(JunctionsToCellWallMeshFilter, RefusesALabelVolumeThatIsEmptyWhereItIsNeeded)
+{
+  const auto extraction = MakeExtraction();
+  const auto filter = MakeFittingFilter(extraction);
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  filter->UsePaperPreset();
+  filter->Update();
+  EXPECT_FALSE(filter->GetOutput()->GetReconstruction().isFitted);
+}
+
+TEST(JunctionsToCellWallMeshFilter, AVolumeThatWasReleasedIsMadeAgain)
+{
+  const auto extraction = MakeExtraction();
+  extraction->GenerateLabelVolumeOn();
+  extraction->GetLabelVolume()->ReleaseDataFlagOn();
+  const auto filter = MakeFittingFilter(extraction);
+  filter->Update();
+  EXPECT_EQ(extraction->GetLabelVolume()->GetNumberOfVoxels(), 0u);
+  const auto points = filter->GetOutput()->GetWallMesh().points;
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetWallMesh().points, points);
 }
 
 TEST(JunctionsToCellWallMeshFilter, BulkAccessorsHoldTheMesh)

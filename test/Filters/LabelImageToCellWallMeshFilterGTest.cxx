@@ -8,7 +8,9 @@
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkCommand.h"
+#include "itkJunctionsToCellWallMeshFilter.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
+#include "itkLabelJunctionExtractionFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -187,6 +189,22 @@ TEST(LabelImageToCellWallMeshFilter, TakesTheExteriorLabelGiven)
   EXPECT_THROW(filter->Update(), itk::ExceptionObject) << "no voxel has this label";
   filter->AutomaticExteriorLabelOn();
   EXPECT_NO_THROW(filter->Update());
+}
+
+TEST(LabelImageToCellWallMeshFilter, IsTheTwoFiltersInOne)
+{
+  const auto image = MakeSyntheticTestTissue<unsigned short>();
+  const auto extraction = itk::LabelJunctionExtractionFilter<ImageType>::New();
+  extraction->SetInput(image);
+  extraction->GenerateLabelVolumeOn();
+  const auto reconstruction = itk::JunctionsToCellWallMeshFilter::New();
+  reconstruction->SetInput(extraction->GetOutput());
+  reconstruction->SetLabelVolume(extraction->GetLabelVolume());
+  reconstruction->Update();
+  const auto mesh = MakeMesh(image);
+  EXPECT_TRUE(mesh->GetReconstruction().isFitted);
+  ExpectSameTopology(mesh, reconstruction->GetOutput());
+  EXPECT_EQ(mesh->GetWallMesh().points, reconstruction->GetOutput()->GetWallMesh().points);
 }
 
 TEST(LabelImageToCellWallMeshFilter, NeedsAnInput)

@@ -4,14 +4,17 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "LabelImageFromText.h"
 #include "LabelImageTestHelpers.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkCommand.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-/* Cells in pieces or cut by the border, and errors. */
+/* Cells in pieces or cut by the border, the label volume, and errors. */
 
 namespace
 {
@@ -93,6 +96,83 @@ TEST(LabelJunctionExtractionPieces, OnlyCellsOfTheBorderTouchIt)
     EXPECT_EQ(set.cells[i].touchesExterior, i != 14) << i;
   }
   EXPECT_EQ(set.cells[0].numberOfVoxels, 0);
+}
+
+TEST(LabelJunctionExtractionVolume, IsMadeOnlyWhereAskedFor)
+{
+  const auto filter = MakeFilter(MakeFourCubes<short>());
+  EXPECT_FALSE(filter->GetGenerateLabelVolume());
+  filter->Update();
+  EXPECT_EQ(filter->GetLabelVolume()->GetNumberOfVoxels(), 0u);
+  filter->GenerateLabelVolumeOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetLabelVolume()->GetNumberOfVoxels(), 12u * 12u * 8u);
+  filter->GenerateLabelVolumeOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetLabelVolume()->GetNumberOfVoxels(), 0u) << "of the run before";
+}
+
+TEST(LabelJunctionExtractionVolume, HasTheVertexOfEachVoxelAtItsPlace)
+{
+  const itk::Index<3>      start = { { 3, -2, 5 } };
+  const auto               image = MakeFourCubes<short>(0, start);
+  const double             spacing[] = { 0.5, 2.0, 1.0 };
+  const double             origin[] = { 3.0, -7.0, 11.0 };
+  ImageType::DirectionType direction;
+  direction.SetIdentity();
+  direction[0][0] = direction[1][1] = 0.0;
+  direction[0][1] = -1.0;
+  direction[1][0] = 1.0;
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(direction);
+  const auto filter = MakeFilter(image);
+  filter->GenerateLabelVolumeOn();
+  filter->Update();
+  const tissue::LabelVolume & volume = filter->GetLabelVolume()->GetLabelVolume();
+  const auto &                cells = filter->GetOutput()->GetJunctionSet().cells;
+  ASSERT_EQ(volume.size, (std::array<std::int32_t, 3>{ { 12, 12, 8 } }));
+  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto            index = it.GetIndex() - start;
+    const tissue::Point   ofVolume = volume.ToPhysical({ { double(index[0]), double(index[1]), double(index[2]) } });
+    itk::Point<double, 3> ofImage;
+    image->TransformIndexToPhysicalPoint(it.GetIndex(), ofImage);
+    const auto vertex = volume.At(
+      static_cast<std::int32_t>(index[0]), static_cast<std::int32_t>(index[1]), static_cast<std::int32_t>(index[2]));
+    ASSERT_EQ(cells[vertex].label, it.Get());
+    ASSERT_NEAR(tissue::Distance(ofVolume, { { ofImage[0], ofImage[1], ofImage[2] } }), 0.0, 1e-12);
+  }
+}
+
+// Two voids, of one and of two voxels, with four and five cells around them.
+TEST(LabelJunctionExtractionVolume, NumbersTheEnclosedVoidsAsTheJunctionsDo)
+{
+  const auto image =
+    LabelImageFromText({ "aaaaaaa/aaaaaaa/aaaaaaa", "bbbbbbb/b.cc..d/bbbbbbb", "eeeeeee/eeeeeee/eeeeeee" });
+  const auto filter = itk::LabelJunctionExtractionFilter<TextImageType>::New();
+  filter->SetInput(image);
+  filter->SetExteriorLabel('.');
+  filter->GenerateLabelVolumeOn();
+  filter->Update();
+  const tissue::JunctionSet & junctions = filter->GetOutput()->GetJunctionSet();
+  ASSERT_EQ(junctions.voids.size(), 2u);
+  const tissue::LabelVolume * volume = &filter->GetLabelVolume()->GetLabelVolume();
+  for (tissue::VertexId v = 1; v < junctions.NumberOfVertices(); ++v)
+  {
+    EXPECT_EQ(std::count(volume->vertices.begin(), volume->vertices.end(), v),
+              junctions.CellOfVertex(v).numberOfVoxels);
+  }
+  const auto firstVoid = static_cast<tissue::VertexId>(junctions.cells.size());
+  EXPECT_EQ(volume->At(1, 1, 1), firstVoid);
+  EXPECT_EQ(volume->At(4, 1, 1), firstVoid + 1);
+  EXPECT_EQ(volume->At(5, 1, 1), firstVoid + 1);
+  EXPECT_EQ(junctions.voids[0].center, (tissue::Point{ { 1.0, 1.0, 1.0 } }));
+  EXPECT_EQ(junctions.voids[1].center, (tissue::Point{ { 4.5, 1.0, 1.0 } }));
+
+  filter->SeparateVoidsOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetLabelVolume()->GetLabelVolume().At(1, 1, 1), tissue::ExteriorVertex);
 }
 
 TEST(LabelJunctionExtractionErrors, FewerThanFourCells)

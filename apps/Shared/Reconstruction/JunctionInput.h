@@ -9,7 +9,6 @@
 
 #include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
-#include "itkLabelImageToLabelVolume.h"
 #include "itkLabelJunctionExtractionFilter.h"
 
 #include <algorithm>
@@ -42,6 +41,7 @@ ExtractJunctions(const TImage * image, const ReconstructionOptions & options, Pr
   }
   extraction->SetZeroIsCell(options.zeroIsCell);
   extraction->SetSeparateVoids(options.parameters.separateVoids);
+  extraction->SetGenerateLabelVolume(options.parameters.fitToImage);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);
   extraction->Update();
@@ -50,7 +50,8 @@ ExtractJunctions(const TImage * image, const ReconstructionOptions & options, Pr
   input.junctions->DisconnectPipeline();
   if (options.parameters.fitToImage)
   {
-    input.volume = itk::MakeLabelVolume(image, input.junctions->GetJunctionSet());
+    input.volume = extraction->GetLabelVolume();
+    input.volume->DisconnectPipeline();
   }
   input.extractSeconds = timer.Lap().wallSeconds;
 }

@@ -104,7 +104,7 @@ Reconstruct(const ReconstructionOptions & options, const InputReader & readInput
   filter->SetInput(result.input.junctions);
   filter->SetParameters(options.parameters);
   filter->SetLabelVolume(result.input.volume);
-  result.input.volume.reset();
+  result.input.volume = nullptr;
   progress.Begin("Optimizing the complex");
   progress.Observe(filter);
   filter->Update();

@@ -7,6 +7,7 @@
 #include "Shared/Reconstruction/StageEvaluation.h"
 
 #include "Shared/CommandLine/RunProgram.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ ReadJudge(const std::string & path, const std::vector<Cell> & cells, bool isByLa
   {
     const auto     found = cellOfLabel.find(cells[v].label);
     const VertexId ofLabel = found != cellOfLabel.end() ? found->second : ExteriorVertex;
-    const VertexId cell = isByLabel ? ofLabel : CellAt(*input.volume, cells[v].center);
+    const VertexId cell = isByLabel ? ofLabel : CellAt(input.volume->GetLabelVolume(), cells[v].center);
     if (taken.insert(cell).second)
     {
       judge.cellOfVertex[v] = cell;

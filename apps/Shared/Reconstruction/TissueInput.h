@@ -9,8 +9,8 @@
 
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/Reconstruction/ReconstructionOptions.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkTissueJunctions.h"
+#include "itkTissueLabelVolume.h"
 
 #include <itkCommonEnums.h>
 
@@ -21,7 +21,7 @@ struct TissueInput
 {
   itk::TissueJunctions::Pointer junctions;
   /** The labels that the walls are fitted to; none if they are not. */
-  std::shared_ptr<const LabelVolume> volume;
+  itk::TissueLabelVolume::Pointer volume;
   /** The image itself, of the pixels that VisitPixelType() gives of the component type; none unless it is kept. */
   itk::DataObject::ConstPointer image;
   itk::IOComponentEnum          componentType = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;

@@ -206,13 +206,7 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   parameters.Check();
   if (!parameters.separateVoids && !image.voids.empty())
   {
-    LabelVolume merged;
-    if (volume != nullptr)
-    {
-      merged = *volume;
-      const auto isVoid = [&image](VertexId v) { return image.IsVoid(v); };
-      std::replace_if(merged.vertices.begin(), merged.vertices.end(), isVoid, ExteriorVertex);
-    }
+    const LabelVolume merged = volume != nullptr ? MergeVoids(*volume, image.cells.size()) : LabelVolume();
     return ReconstructTissue(MergeVoids(image), parameters, volume != nullptr ? &merged : nullptr, execution);
   }
   TissueReconstruction     result;
