@@ -77,7 +77,7 @@ ParseCommandLine(int argc, char ** argv)
   CLI::App                  app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
                 "TissueTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  options.method.parameters = ChoosePreset(found, ReconstructionParameters(), ReconstructionParameters::PaperPreset());
+  options.method = ChoosePreset(found, ReconstructionParameters(), ReconstructionParameters::PaperPreset());
   AddInputOptions(app, found.count(membrane) > 0, options);
   AddOutputOptions(app, options.outputs);
   AddImageOptions(app, options.image);

@@ -61,12 +61,18 @@ private:
 };
 } // namespace
 
-ReconstructionParameters
+MethodOptions
 ChoosePreset(const FoundOptions & found, const ReconstructionParameters & byDefault,
              const ReconstructionParameters & ofPaper)
 {
-  const auto preset = found.find(PresetOption);
-  return preset != found.end() && preset->second == "paper" ? ofPaper : byDefault;
+  MethodOptions options;
+  const auto    preset = found.find(PresetOption);
+  if (preset != found.end())
+  {
+    options.preset = preset->second;
+  }
+  options.parameters = options.preset == "paper" ? ofPaper : byDefault;
+  return options;
 }
 
 void

@@ -25,11 +25,11 @@ struct MethodOptions
   ReconstructionParameters parameters;
 };
 
-/** The options of this name that must be found, by FindOptions(), before the others are read: it has their defaults. */
+/** Which preset it is must be known, by FindOptions(), before the options are made that override it. */
 inline const std::string PresetOption = "--preset";
 
-/** The parameters of the preset that is among the options found. */
-ReconstructionParameters
+/** The preset that is among the options found, with its parameters. */
+MethodOptions
 ChoosePreset(const FoundOptions & found, const ReconstructionParameters & byDefault,
              const ReconstructionParameters & ofPaper);
 
