@@ -9,13 +9,12 @@
 #include "NucleiDetection/BlobPicture.h"
 #include "Shared/CommandLine/OptionChecks.h"
 #include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/CommandLine/RunOptions.h"
 #include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Images/ScalarImageInput.h"
 #include "Shared/Points/NucleiSearch.h"
 #include "Shared/Points/PointFileWriter.h"
-
-#include <itkMultiThreaderBase.h>
 
 #include <array>
 #include <iostream>
@@ -34,8 +33,7 @@ struct Options
   std::string                          picture;
   DetectionOptions                     detection;
   std::optional<std::array<double, 3>> spacing;
-  std::uint32_t                        threads = 0;
-  bool                                 isQuiet = false;
+  RunOptions                           run;
 };
 
 void
@@ -51,14 +49,15 @@ AddOptions(CLI::App & app, Options & options)
     ->check(EndsIn(".png"));
   AddDetectionOptions(app, options.detection);
   app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(InRange(1e-12, 1e12));
-  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
-  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors and warnings");
+  app.add_option("--threads", options.run.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
+  app.add_flag("--quiet", options.run.isQuiet, "Print nothing but errors and warnings");
 }
 
 /** Throws for everything that would make the outputs impossible, before the work. */
 void
-CheckOutputs(const Options & options)
+RequireOutputs(const Options & options)
 {
+  RequirePointFormat(options.points);
   for (const std::string & path : { options.points, options.picture })
   {
     if (!path.empty())
@@ -69,19 +68,13 @@ CheckOutputs(const Options & options)
   }
 }
 
-void
-Run(const Options & options)
+/** The nuclei, numbered from 1 on. */
+PointTable
+ToTable(const DetectionFilter & detection)
 {
-  const std::string format = RequirePointFormat(options.points);
-  CheckOutputs(options);
-  ProgressBar progress(options.isQuiet);
-  progress.Begin("Reading");
-  const ScalarImageFile      file = ReadScalarImage(options.image, options.spacing);
-  const ScalarImage::Pointer image = file.image;
-  const auto detection = WithFileName(options.image, [&] { return DetectNuclei(image, options.detection, progress); });
-  const auto * const blobs = detection->GetOutput();
+  const auto * const blobs = detection.GetOutput();
   PointTable         table;
-  table.columns = { { "label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
+  table.columns = { { "Label", {} }, { "scale", {} }, { "radius", {} }, { "response", {} } };
   for (itk::SizeValueType i = 0; i < blobs->GetNumberOfPoints(); ++i)
   {
     const auto point = blobs->GetPoint(i);
@@ -93,29 +86,41 @@ Run(const Options & options)
       table.columns[c].second.push_back(values[c]);
     }
   }
+  return table;
+}
+
+void
+WriteOutputs(const PointTable & table, const ScalarImage * image, const Options & options, ProgressBar & progress)
+{
   progress.Begin("Writing");
   OutputFiles files;
-  files.Add(options.points, [&](const std::string & path) { WritePoints(table, path, format); });
+  files.Add(options.points,
+            [&](const std::string & path) { WritePoints(table, path, RequirePointFormat(options.points)); });
   if (!options.picture.empty())
   {
     files.Add(options.picture, [&](const std::string & path) { WriteBlobPicture(image, table, path); });
   }
   files.Commit();
   progress.End();
-  std::vector<std::string> warnings = file.warnings;
-  if (table.points.empty())
+}
+
+void
+Say(const Options & options, std::vector<std::string> warnings, const DetectionFilter & detection)
+{
+  const auto number = detection.GetOutput()->GetNumberOfPoints();
+  if (number == 0)
   {
-    warnings.push_back(options.image + ": no nuclei" + DescribeSearch(*detection, "with"));
+    warnings.push_back(options.image + ": no nuclei" + DescribeSearch(detection, "with"));
   }
   for (const std::string & warning : warnings)
   {
     std::cerr << "NucleiDetection: warning: " << warning << '\n';
   }
-  if (!options.isQuiet)
+  if (!options.run.isQuiet)
   {
-    std::cout << options.points << ": " << table.points.size() << " nuclei of scales from "
-              << detection->GetUsedMinimumScale() << " to " << detection->GetUsedMaximumScale() << ", responses of "
-              << detection->GetUsedThreshold() << " and more\n";
+    std::cout << options.points << ": " << number << " nuclei of scales from " << detection.GetUsedMinimumScale()
+              << " to " << detection.GetUsedMaximumScale() << ", responses of " << detection.GetUsedThreshold()
+              << " and more\n";
   }
 }
 } // namespace
@@ -131,11 +136,15 @@ main(int argc, char * argv[])
     {
       return;
     }
-    if (options.threads > 0)
-    {
-      itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
-      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
-    }
-    Run(options);
+    RequireOutputs(options);
+    UseThreads(options.run.threads);
+    ProgressBar progress(options.run.isQuiet);
+
+    progress.Begin("Reading");
+    const ScalarImageFile file = ReadScalarImage(options.image, options.spacing);
+    const auto            detection =
+      WithFileName(options.image, [&] { return DetectNuclei(file.image, options.detection, progress); });
+    WriteOutputs(ToTable(*detection), file.image, options, progress);
+    Say(options, file.warnings, *detection);
   });
 }

@@ -8,7 +8,7 @@
 #include "NucleiTessellation/NucleiTessellationOptions.h"
 #include "NucleiTessellation/PointTissueInput.h"
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/ReconstructionProgram.h"
+#include "Shared/Reconstruction/ReconstructionOutput.h"
 
 int
 main(int argc, char ** argv)
@@ -16,11 +16,21 @@ main(int argc, char ** argv)
   using namespace tissue;
   const std::string program = "NucleiTessellation";
   return RunProgram(program, [&] {
-    if (const auto options = ParseNucleiCommandLine(argc, argv))
+    const auto options = ParseCommandLine(argc, argv);
+    if (!options)
     {
-      RunTissueProgram(program, *options, ToJson(*options), [&](ProgressBar & progress) {
-        return ReadPointTissue(*options, progress);
-      });
+      return;
     }
+    RequireOutputs(options->outputs, options->InputFiles());
+    UseThreads(options->run.threads);
+    ProgressBar progress(options->run.isQuiet);
+
+    TissueInput               input = ReadPointTissue(*options, progress);
+    const ReconstructedTissue tissue =
+      Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
+    const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
+    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
+    WriteOutputs(options->outputs, report, progress);
+    Say(report, options->outputs, options->run.isQuiet);
   });
 }

@@ -6,8 +6,10 @@
  *=========================================================================*/
 #include "NucleiTessellation/NucleiTessellationOptions.h"
 
+#include "Shared/CommandLine/OptionChecks.h"
 #include "Shared/Points/PointFileReader.h"
-#include "Shared/Reconstruction/MethodOptions.h"
+
+#include <nlohmann/json.hpp>
 
 namespace tissue
 {
@@ -22,20 +24,21 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     app
       .add_option(
         "points",
-        options.labels,
+        options.centers.file,
         "Centres of cells or nuclei (.csv, .fcsv, .mrk.json or .vtp), or an image of nuclei; none with --centersOf")
       ->required()
       ->type_name("FILE");
   }
   const std::string group = "Points";
   app
-    .add_option("--centersOf", options.centersOf, "Label image, in place of points: the centres of its cells are they")
+    .add_option(
+      "--centersOf", options.centers.centersOf, "Label image, in place of points: the centres of its cells are they")
     ->type_name("FILE")
     ->group(group);
-  app.add_option("--box", options.box, "Image that fills the box that the points were seen in; not read")
+  app.add_option("--box", options.centers.box, "Image that fills the box that the points were seen in; not read")
     ->type_name("FILE")
     ->group(group);
-  app.add_option("--voxelsPerCell", options.voxelsPerCell, "Of the label image that is made of the points")
+  app.add_option("--voxelsPerCell", options.centers.voxelsPerCell, "Of the label image that is made of the points")
     ->check(InRange(50.0, 1e6))
     ->capture_default_str()
     ->group(group);
@@ -45,56 +48,51 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->type_name("FILE")
     ->group("Membranes");
   AddMembraneOptions(app, options.membrane);
-  AddDetectionOptions(app, options.detection);
+  AddDetectionOptions(app, options.centers.detection);
 }
 } // namespace
 
 std::optional<NucleiTessellationOptions>
-ParseNucleiCommandLine(int argc, char ** argv)
+ParseCommandLine(int argc, char ** argv)
 {
+  using Parameters = ReconstructionParameters;
+  const std::string         membrane = "--membrane";
+  const std::string         centersOf = "--centersOf";
+  const FoundOptions        found = FindOptions({ PresetOption, membrane, centersOf }, argc, argv);
   NucleiTessellationOptions options;
   CLI::App app{ "From the centres of a tissue's cells or nuclei to the triangular mesh of all its cell walls.",
                 "NucleiTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  const bool hasMembranes = HasOption("--membrane", argc, argv);
-  if (!hasMembranes)
-  {
-    options.parameters = ReconstructionParameters::PointsPreset();
-  }
-  ApplyPreset(argc,
-              argv,
-              hasMembranes ? ReconstructionParameters::PaperPreset() : ReconstructionParameters::PaperPointsPreset(),
-              options);
-  const bool hasLabels = HasOption("--centersOf", argc, argv);
-  AddInputOptions(app, hasLabels, options);
-  AddOutputOptions(app, options);
-  AddEvaluationOption(app, options);
-  AddMethodOptions(app, options);
-  AddRunOptions(app, options);
+  options.method = found.count(membrane) > 0
+                     ? ChoosePreset(found, Parameters(), Parameters::PaperPreset())
+                     : ChoosePreset(found, Parameters::PointsPreset(), Parameters::PaperPointsPreset());
+  AddInputOptions(app, found.count(centersOf) > 0, options);
+  AddOutputOptions(app, options.outputs);
+  AddEvaluationOptions(app, options.evaluation);
+  AddMethodOptions(app, options.method);
+  AddRunOptions(app, options.run);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;
   }
-  if (hasLabels)
-  {
-    options.labels = options.centersOf;
-  }
-  options.otherInputs = { options.box };
-  FinishParameters(options);
+  options.method.parameters.keepStages = !options.evaluation.against.empty();
+  RequireInRange(options.method.parameters);
   return options;
 }
 
 nlohmann::ordered_json
 ToJson(const NucleiTessellationOptions & options)
 {
+  const CenterOptions &  centers = options.centers;
+  const bool             isPointFile = IsPointFile(centers.file);
   nlohmann::ordered_json json;
-  json["preset"] = options.preset;
-  json["points"] = !options.centersOf.empty()    ? "centres of the cells of a label image"
-                   : IsPointFile(options.labels) ? "of the file"
-                                                 : "nuclei";
-  if (options.centersOf.empty() && !IsPointFile(options.labels))
+  json["preset"] = options.method.preset;
+  json["points"] = !centers.centersOf.empty() ? "centres of the cells of a label image"
+                   : isPointFile              ? "of the file"
+                                              : "nuclei";
+  if (centers.centersOf.empty() && !isPointFile)
   {
-    const DetectionOptions & d = options.detection;
+    const DetectionOptions & d = centers.detection;
     json["detection"] = { { "minimumScale", d.minimumScale },
                           { "maximumScale", d.maximumScale },
                           { "stepsPerOctave", d.stepsPerOctave },
@@ -105,12 +103,12 @@ ToJson(const NucleiTessellationOptions & options)
                           { "borderMargin", d.borderMargin },
                           { "dark", d.isDark } };
   }
-  json["box"] = options.box;
-  json["voxelsPerCell"] = options.voxelsPerCell;
-  json["evaluateAgainst"] = options.evaluateAgainst;
-  json["evaluateByLabel"] = options.evaluateByLabel;
+  json["box"] = centers.box;
+  json["voxelsPerCell"] = centers.voxelsPerCell;
+  json["evaluateAgainst"] = options.evaluation.against;
+  json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);
-  AddToJson(options.parameters, json);
+  AddToJson(options.method.parameters, json);
   return json;
 }
 } // namespace tissue

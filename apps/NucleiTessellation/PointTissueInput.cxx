@@ -10,6 +10,7 @@
 #include "Shared/Images/ImageInput.h"
 #include "Shared/Points/PointFileReader.h"
 #include "Shared/Reconstruction/JunctionInput.h"
+#include "Shared/Reconstruction/LabelImageInput.h"
 #include "Shared/Reconstruction/MembraneInput.h"
 #include "TissueTessellationCore/Points/PointJunctions.h"
 #include "itkPointSetToTissueLabelImageFilter.h"
@@ -26,18 +27,21 @@ namespace
 // Its default coordinates are floats.
 using PointSetType = itk::PointSet<double, 3, itk::DefaultStaticMeshTraits<double, 3, 3, double>>;
 
-/** Centres of cells by ascending labels. */
+/** Centres of cells by ascending labels, and what is to be said of where they are from. */
 struct LabelledPoints
 {
-  std::vector<Point> points;
-  std::vector<Label> labels;
-  Label              exteriorLabel = 0;
+  std::vector<Point>       points;
+  std::vector<Label>       labels;
+  Label                    exteriorLabel = 0;
+  ImageDescription         image;
+  std::vector<std::string> warnings;
+  InputSeconds             seconds;
 };
 
 /** In the order of their labels; those of a file without are numbered from 1 on. Points at the place of an earlier one
  * are left out, with a warning. */
 LabelledPoints
-ReadPoints(const std::string & path, TissueInput & input)
+ReadPoints(const std::string & path)
 {
   PointFile file = ReadPointFile(path);
   if (file.labels.empty())
@@ -63,13 +67,13 @@ ReadPoints(const std::string & path, TissueInput & input)
       pointOfLabel.erase(file.labels[i]);
     }
   }
+  LabelledPoints result;
   if (!repeated.empty())
   {
-    input.warnings.push_back(std::to_string(repeated.size()) + " of " + std::to_string(file.points.size()) +
-                             " points repeat another and are left out (" + repeated.front() +
-                             (repeated.size() > 1 ? ", ...)" : ")"));
+    result.warnings.push_back(std::to_string(repeated.size()) + " of " + std::to_string(file.points.size()) +
+                              " points repeat another and are left out (" + repeated.front() +
+                              (repeated.size() > 1 ? ", ...)" : ")"));
   }
-  LabelledPoints result;
   for (const auto & [label, i] : pointOfLabel)
   {
     result.points.push_back(file.points[i]);
@@ -80,18 +84,16 @@ ReadPoints(const std::string & path, TissueInput & input)
 
 /** The centres of the cells of a label image. */
 LabelledPoints
-ReadCenters(const std::string & path, ProgressBar & progress, TissueInput & input)
+ReadCenters(const std::string & path, ProgressBar & progress)
 {
-  ReconstructionOptions options;
-  options.labels = path;
-  options.parameters.separateVoids = false;
-  options.parameters.fitToImage = false;
-  const TissueInput image = ReadTissue(options, progress);
-  input.warnings = image.warnings;
-  input.readSeconds = image.readSeconds;
-  LabelledPoints result;
-  result.exteriorLabel = image.exteriorLabel;
-  const std::vector<Cell> & cells = image.junctions->GetJunctionSet().cells;
+  LabelImageOptions options;
+  options.file = path;
+  const TissueInput image = ExtractTissue(ReadLabelImage(options, progress), JunctionOptions(), progress);
+  LabelledPoints    result;
+  result.exteriorLabel = image.extracted.exteriorLabel;
+  result.warnings = image.warnings;
+  result.seconds.read = image.seconds.read;
+  const std::vector<Cell> & cells = image.GetJunctionSet().cells;
   for (std::size_t v = 1; v < cells.size(); ++v)
   {
     result.points.push_back(cells[v].center);
@@ -102,14 +104,14 @@ ReadCenters(const std::string & path, ProgressBar & progress, TissueInput & inpu
 
 /** The nuclei of an image, numbered from 1 on. */
 LabelledPoints
-FindNuclei(const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+FindNuclei(const std::string & path, const DetectionOptions & options, ProgressBar & progress)
 {
-  constexpr std::size_t      minimum = 4;
-  const ScalarImage::Pointer image = ReadStain(options.labels, input);
-  Stopwatch                  timer;
-  const auto                 detection = DetectNuclei(image, options.detection, progress);
-  const auto * const         nuclei = detection->GetOutput();
-  LabelledPoints             result;
+  constexpr std::size_t minimum = 4;
+  const Stain           stain = ReadStain(path);
+  Stopwatch             timer;
+  const auto            detection = DetectNuclei(stain.image, options, progress);
+  const auto * const    nuclei = detection->GetOutput();
+  LabelledPoints        result;
   for (itk::SizeValueType i = 0; i < nuclei->GetNumberOfPoints(); ++i)
   {
     const auto point = nuclei->GetPoint(i);
@@ -121,18 +123,22 @@ FindNuclei(const NucleiTessellationOptions & options, ProgressBar & progress, Ti
     throw std::runtime_error(std::to_string(result.points.size()) + " nuclei" + DescribeSearch(*detection, "have") +
                              ", at least " + std::to_string(minimum) + " are needed");
   }
-  input.segmentSeconds += timer.Lap().wallSeconds;
+  result.image = stain.description;
+  result.warnings = stain.warnings;
+  result.seconds.read = stain.readSeconds;
+  result.seconds.segment = timer.Lap().wallSeconds;
   return result;
 }
 
 LabelledPoints
-ReadCells(const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+ReadCells(const CenterOptions & options, ProgressBar & progress)
 {
+  progress.Begin("Reading");
   if (!options.centersOf.empty())
   {
-    return ReadCenters(options.centersOf, progress, input);
+    return ReadCenters(options.centersOf, progress);
   }
-  return IsPointFile(options.labels) ? ReadPoints(options.labels, input) : FindNuclei(options, progress, input);
+  return IsPointFile(options.file) ? ReadPoints(options.file) : FindNuclei(options.file, options.detection, progress);
 }
 
 /** An image without pixels that fills the box of a file's. */
@@ -149,12 +155,15 @@ ReadBox(const std::string & path)
   return box;
 }
 
-/** The image that fills the box that the points were seen in; empty if there is none. */
-std::string
-FindBoxFile(const NucleiTessellationOptions & options)
+/** The box that the points were seen in: that of another image, or of the one that they are from; null if there is
+ * none.
+ */
+itk::ImageBase<3>::Pointer
+FindBox(const CenterOptions & options)
 {
-  const bool hasImage = !options.centersOf.empty() || !IsPointFile(options.labels);
-  return options.box.empty() && hasImage ? options.labels : options.box;
+  const bool        isOfImage = !options.centersOf.empty() || !IsPointFile(options.file);
+  const std::string path = options.box.empty() && isOfImage ? options.Source() : options.box;
+  return path.empty() ? nullptr : WithFileName(path, [&] { return ReadBox(path); });
 }
 
 /** The label image of a tissue, and how sure it is which of its cells meet. */
@@ -162,11 +171,13 @@ struct EstimatedTissue
 {
   TissueLabelImage::Pointer labels;
   std::vector<JunctionVote> votes;
+  double                    seconds = 0.0;
 };
 
+/** \param box null: none is known. */
 EstimatedTissue
-MakeLabelImage(const std::vector<Point> & points, const itk::ImageBase<3> * box,
-               const NucleiTessellationOptions & options, ProgressBar & progress, TissueInput & input)
+EstimateTissue(const std::vector<Point> & points, const itk::ImageBase<3> * box, double voxelsPerCell,
+               ProgressBar & progress)
 {
   Stopwatch  timer;
   const auto set = PointSetType::New();
@@ -180,85 +191,109 @@ MakeLabelImage(const std::vector<Point> & points, const itk::ImageBase<3> * box,
   {
     filter->SetReferenceImage(box);
   }
-  filter->SetVoxelsPerCell(options.voxelsPerCell);
+  filter->SetVoxelsPerCell(voxelsPerCell);
   progress.Begin("Fitting cells to the points");
   progress.Observe(filter);
   filter->Update();
-  input.segmentSeconds += timer.Lap().wallSeconds;
-  return { filter->GetOutput(), filter->GetVotes() };
+  return { filter->GetOutput(), filter->GetVotes(), timer.Lap().wallSeconds };
 }
 
-/** Gives the cells, numbered from 1 on in the order of the points, the labels of these; and the votes on them. */
-void
-CompleteJunctions(const LabelledPoints & points, std::vector<JunctionVote> votes, TissueInput & input)
+/** The tissue that the membranes show around its estimate. What they show is known better than by votes. */
+EstimatedTissue
+FollowMembranes(const EstimatedTissue & estimate, const ScalarImage * membranes, const MembraneOptions & options,
+                ProgressBar & progress)
 {
-  JunctionSet junctions = input.junctions->GetJunctionSet();
+  const auto segmentation =
+    WithFileName(options.file, [&] { return SegmentMembranes(membranes, estimate.labels, options, progress); });
+  return { segmentation.labels, {}, estimate.seconds + segmentation.seconds };
+}
+
+/** The junctions of a tissue whose cells are numbered from 1 on in the order of the points, whose labels they get. */
+ExtractedJunctions
+ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & points,
+                      const ReconstructionParameters & parameters, ProgressBar & progress)
+{
+  JunctionOptions options;
+  options.separateVoids = parameters.separateVoids;
+  options.makesVolume = parameters.fitToImage;
+  ExtractedJunctions extracted = ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress);
+  extracted.exteriorLabel = points.exteriorLabel;
+  JunctionSet junctions = extracted.junctions->GetJunctionSet();
   for (std::size_t v = 1; v < junctions.cells.size(); ++v)
   {
     junctions.cells[v].label = points.labels[static_cast<std::size_t>(junctions.cells[v].label - 1)];
   }
   junctions.cells[ExteriorVertex].label = points.exteriorLabel;
-  junctions.votes = std::move(votes);
-  input.junctions->SetJunctionSet(std::move(junctions));
+  junctions.votes = tissue.votes;
+  extracted.junctions->SetJunctionSet(std::move(junctions));
+  return extracted;
 }
 
-/** Warns of options that the paper's method, from points alone, has no use for. */
-void
-WarnOfUnused(const NucleiTessellationOptions & options, TissueInput & input)
+/** The tissue of an image made of the points, which has junctions.
+ * \param input what is known of the points so far. */
+TissueInput
+MakeTissue(const LabelledPoints & points, const NucleiTessellationOptions & options, TissueInput input,
+           ProgressBar & progress)
 {
-  if (!options.box.empty())
+  const bool                 hasMembranes = !options.membrane.file.empty();
+  const Stain                membranes = hasMembranes ? ReadStain(options.membrane.file) : Stain();
+  itk::ImageBase<3>::Pointer box = membranes.image.GetPointer();
+  if (!hasMembranes)
   {
-    input.warnings.push_back("--box is not used: --preset paper makes walls of the points alone");
+    box = FindBox(options.centers);
   }
-  if (!options.junctions.empty())
+  EstimatedTissue tissue = EstimateTissue(points.points, box, options.centers.voxelsPerCell, progress);
+  if (hasMembranes)
   {
-    input.warnings.push_back("--junctions: points alone have none in an image, the table is empty");
+    tissue = FollowMembranes(tissue, membranes.image, options.membrane, progress);
   }
+  const std::string & pixelType = hasMembranes ? membranes.description.pixelType : input.image.pixelType;
+  input.image = DescribeImage(tissue.labels.GetPointer(), pixelType);
+  input.extracted = ExtractPointJunctions(tissue, points, options.method.parameters, progress);
+  input.seconds.read += membranes.readSeconds;
+  input.seconds.segment += tissue.seconds;
+  Append(membranes.warnings, input.warnings);
+  return input;
+}
+
+/** Warnings of options that the paper's method, from points alone, has no use for. */
+std::vector<std::string>
+FindUnused(const NucleiTessellationOptions & options)
+{
+  std::vector<std::string> warnings;
+  if (!options.centers.box.empty())
+  {
+    warnings.push_back("--box is not used: --preset paper makes walls of the points alone");
+  }
+  if (!options.outputs.junctions.empty())
+  {
+    warnings.push_back("--junctions: points alone have none in an image, the table is empty");
+  }
+  return warnings;
 }
 } // namespace
 
 TissueInput
 ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progress)
 {
-  TissueInput input;
-  progress.Begin("Reading");
-  const LabelledPoints points = ReadCells(options, progress, input);
-  input.exteriorLabel = points.exteriorLabel;
-  input.numberOfPoints = points.points.size();
-  JunctionSet cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
-  const bool  hasMembranes = !options.membrane.file.empty();
-  if (options.preset == "paper" && !hasMembranes)
-  {
-    WarnOfUnused(options, input);
-    input.junctions = itk::TissueJunctions::New();
-    input.junctions->SetJunctionSet(std::move(cells));
+  return WithFileName(options.centers.Source(), [&] {
+    const LabelledPoints points = ReadCells(options.centers, progress);
+    JunctionSet          cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
+    TissueInput          input;
+    input.file = options.centers.Source();
+    input.numberOfPoints = points.points.size();
+    input.image = points.image;
+    input.warnings = points.warnings;
+    input.seconds = points.seconds;
+    if (options.method.preset != "paper" || !options.membrane.file.empty())
+    {
+      return MakeTissue(points, options, std::move(input), progress);
+    }
+    Append(FindUnused(options), input.warnings);
+    input.extracted.exteriorLabel = points.exteriorLabel;
+    input.extracted.junctions = itk::TissueJunctions::New();
+    input.extracted.junctions->SetJunctionSet(std::move(cells));
     return input;
-  }
-  itk::ImageBase<3>::Pointer box;
-  ScalarImage::Pointer       membranes;
-  const std::string          boxFile = FindBoxFile(options);
-  if (hasMembranes)
-  {
-    membranes = ReadStain(options.membrane.file, input);
-    box = membranes.GetPointer();
-  }
-  else if (!boxFile.empty())
-  {
-    box = WithFileName(boxFile, [&] { return ReadBox(boxFile); });
-  }
-  EstimatedTissue tissue = MakeLabelImage(points.points, box, options, progress, input);
-  if (hasMembranes)
-  {
-    // What the membranes show is known better than by votes.
-    tissue = { WithFileName(
-                 options.membrane.file,
-                 [&] { return SegmentMembranes(membranes, tissue.labels, options.membrane, progress, input); }),
-               {} };
-  }
-  DescribeImage(tissue.labels.GetPointer(), input);
-  ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress, input);
-  input.exteriorLabel = points.exteriorLabel;
-  CompleteJunctions(points, std::move(tissue.votes), input);
-  return input;
+  });
 }
 } // namespace tissue

@@ -4,17 +4,18 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef PointInput_h
-#define PointInput_h
+#ifndef PointTissueInput_h
+#define PointTissueInput_h
 
 #include "NucleiTessellation/NucleiTessellationOptions.h"
+#include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/Reconstruction/TissueInput.h"
 
 namespace tissue
 {
 /** Reads the centres of the cells and makes of them what the options say: the junctions of a label image made of them,
  * or, for the paper's method, cells without any.
- * \throws std::exception: files that cannot be read, fewer than four points, all in one plane, points outside of the
+ * \throws FileError: files that cannot be read, fewer than four points, all in one plane, points outside of the
  * box. */
 TissueInput
 ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progress);

@@ -6,7 +6,9 @@
  *=========================================================================*/
 // Writes the label image of a synthetic tissue: SyntheticTissue [options] labels.mha
 
+#include "Shared/CommandLine/OptionChecks.h"
 #include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/CommandLine/RunOptions.h"
 #include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Points/PointFileWriter.h"
@@ -49,9 +51,8 @@ struct Options
   std::string                  nuclei;
   std::string                  nucleiPoints;
   double                       signalToNoise = 5.0;
-  std::uint32_t                threads = 0;
   bool                         compress = false;
-  bool                         isQuiet = false;
+  tissue::RunOptions           run;
 };
 
 /** Through a signed type: CLI11 would take -1 for the greatest number of an unsigned one. */
@@ -90,9 +91,9 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option("--margin", options.margin, "Voxels between the tissue and the border of the image")
     ->check(CLI::Range(0, 100000));
   app.add_option("--smoothing", options.smoothing, "Passes that smooth the walls")->check(CLI::Range(0, 100));
-  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of all that is not a cell");
+  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of all that is not a cell")
+    ->check(UpTo<std::uint32_t>());
   app.add_option("--firstLabel", options.firstLabel, "Label of the first cell; the exterior label is skipped")
-    ->check(UpTo<std::uint32_t>())
     ->check(UpTo<std::uint32_t>());
   app.add_option("--pixelType", options.pixelType, "Type of the labels")
     ->check(CLI::IsMember({ "uint8", "uint16", "uint32" }));
@@ -100,9 +101,9 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option("--nucleiPoints", options.nucleiPoints, "Also write where the nuclei are: .csv, .fcsv or .vtp");
   app.add_option("--signalToNoise", options.signalToNoise, "Of the nuclei's image: signal of a nucleus over noise")
     ->check(CLI::Range(0.1, 100.0));
-  app.add_option("--threads", options.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
+  app.add_option("--threads", options.run.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
   app.add_flag("--compress", options.compress, "Compress the image");
-  app.add_flag("--quiet", options.isQuiet, "Print nothing but errors");
+  app.add_flag("--quiet", options.run.isQuiet, "Print nothing but errors");
 }
 
 /** The format by the file's extension; what ITK would find out too late, or not tell. */
@@ -173,7 +174,7 @@ tissue::PointTable
 ToTable(const TNuclei & nuclei)
 {
   tissue::PointTable table;
-  table.columns = { { "label", {} }, { "radius", {} } };
+  table.columns = { { "Label", {} }, { "radius", {} } };
   for (itk::SizeValueType i = 0; i < nuclei.GetNumberOfPoints(); ++i)
   {
     const auto point = nuclei.GetPoint(i);
@@ -186,26 +187,31 @@ ToTable(const TNuclei & nuclei)
   return table;
 }
 
-template <typename TPixel>
+/** Throws for everything that would make the outputs impossible, before the work. */
 void
-Run(const Options & options)
+RequireOutputs(const Options & options)
 {
-  using ImageType = itk::Image<TPixel, 3>;
-  MakeImageIO(options.labels);
-  tissue::OutputFiles::RequireWritable(options.labels);
-  if (!options.nuclei.empty())
+  for (const std::string & image : { options.labels, options.nuclei })
   {
-    MakeImageIO(options.nuclei);
-    tissue::OutputFiles::RequireWritable(options.nuclei);
+    if (!image.empty())
+    {
+      MakeImageIO(image);
+      tissue::OutputFiles::RequireWritable(image);
+    }
   }
-  std::string pointFormat;
   if (!options.nucleiPoints.empty())
   {
-    pointFormat = tissue::RequirePointFormat(options.nucleiPoints);
+    tissue::RequirePointFormat(options.nucleiPoints);
     tissue::OutputFiles::RequireWritable(options.nucleiPoints);
   }
+}
 
-  const auto source = itk::SyntheticTissueImageSource<ImageType>::New();
+template <typename TImage>
+typename TImage::Pointer
+MakeTissue(const Options & options, tissue::ProgressBar & progress)
+{
+  using PixelType = typename TImage::PixelType;
+  const auto source = itk::SyntheticTissueImageSource<TImage>::New();
   source->SetSize(itk::Size<3>{ { options.size[0], options.size[1], options.size[2] } });
   source->SetSpacing(options.spacing.data());
   source->SetNumberOfCells(options.cells);
@@ -215,41 +221,80 @@ Run(const Options & options)
   source->SetAnisotropy(options.anisotropy);
   source->SetMargin(options.margin);
   source->SetSmoothing(options.smoothing);
-  source->SetExteriorLabel(ToPixel<TPixel>(options.exteriorLabel, "--exteriorLabel"));
-  source->SetFirstCellLabel(ToPixel<TPixel>(options.firstLabel, "--firstLabel"));
-
-  tissue::ProgressBar progress(options.isQuiet);
+  source->SetExteriorLabel(ToPixel<PixelType>(options.exteriorLabel, "--exteriorLabel"));
+  source->SetFirstCellLabel(ToPixel<PixelType>(options.firstLabel, "--firstLabel"));
   progress.Begin("Growing cells");
   progress.Observe(source);
   source->Update();
-  const auto nuclei = itk::SyntheticNucleiImageFilter<ImageType>::New();
-  if (!options.nuclei.empty() || !options.nucleiPoints.empty())
+  return source->GetOutput();
+}
+
+/** The filter, updated; null unless an image or the points of nuclei are asked for. */
+template <typename TImage>
+typename itk::SyntheticNucleiImageFilter<TImage>::Pointer
+StainNuclei(const TImage * tissue, const Options & options, tissue::ProgressBar & progress)
+{
+  if (options.nuclei.empty() && options.nucleiPoints.empty())
   {
-    nuclei->SetInput(source->GetOutput());
-    nuclei->SetExteriorLabel(source->GetExteriorLabel());
-    nuclei->SetSignalToNoise(options.signalToNoise);
-    nuclei->SetSeed(static_cast<std::uint32_t>(options.seed));
-    progress.Begin("Staining nuclei");
-    nuclei->Update();
+    return nullptr;
   }
+  const auto nuclei = itk::SyntheticNucleiImageFilter<TImage>::New();
+  nuclei->SetInput(tissue);
+  nuclei->SetExteriorLabel(static_cast<typename TImage::PixelType>(options.exteriorLabel));
+  nuclei->SetSignalToNoise(options.signalToNoise);
+  nuclei->SetSeed(static_cast<std::uint32_t>(options.seed));
+  progress.Begin("Staining nuclei");
+  nuclei->Update();
+  return nuclei;
+}
+
+template <typename TImage>
+void
+WriteOutputs(const TImage * tissue, itk::SyntheticNucleiImageFilter<TImage> * nuclei, const Options & options,
+             tissue::ProgressBar & progress)
+{
   progress.Begin("Writing");
   tissue::OutputFiles files;
-  files.Add(options.labels, [&](const std::string & path) { Write(source->GetOutput(), path, options.compress); });
+  files.Add(options.labels, [&](const std::string & path) { Write(tissue, path, options.compress); });
   if (!options.nuclei.empty())
   {
     files.Add(options.nuclei, [&](const std::string & path) { Write(nuclei->GetOutput(), path, options.compress); });
   }
   if (!options.nucleiPoints.empty())
   {
-    files.Add(options.nucleiPoints,
-              [&](const std::string & path) { tissue::WritePoints(ToTable(*nuclei->GetNuclei()), path, pointFormat); });
+    files.Add(options.nucleiPoints, [&](const std::string & path) {
+      tissue::WritePoints(ToTable(*nuclei->GetNuclei()), path, tissue::RequirePointFormat(options.nucleiPoints));
+    });
   }
   files.Commit();
   progress.End();
-  if (!options.isQuiet)
+}
+
+template <typename TPixel>
+void
+Run(const Options & options)
+{
+  using ImageType = itk::Image<TPixel, 3>;
+  tissue::ProgressBar               progress(options.run.isQuiet);
+  const typename ImageType::Pointer tissue = MakeTissue<ImageType>(options, progress);
+  const auto                        nuclei = StainNuclei<ImageType>(tissue, options, progress);
+  WriteOutputs<ImageType>(tissue, nuclei, options, progress);
+}
+
+void
+RunForPixelType(const Options & options)
+{
+  if (options.pixelType == "uint8")
   {
-    std::cout << options.labels << ": " << options.cells << " cells in " << options.size[0] << " x " << options.size[1]
-              << " x " << options.size[2] << " voxels\n";
+    Run<std::uint8_t>(options);
+  }
+  else if (options.pixelType == "uint16")
+  {
+    Run<std::uint16_t>(options);
+  }
+  else
+  {
+    Run<std::uint32_t>(options);
   }
 }
 } // namespace
@@ -257,34 +302,21 @@ Run(const Options & options)
 int
 main(int argc, char * argv[])
 {
-  Options  options;
-  CLI::App app("Writes a label image like that of a segmented plant tissue.");
-  AddOptions(app, options);
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError & error)
-  {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  return tissue::RunProgram("SyntheticTissue", [&options] {
-    if (options.threads > 0)
+  return tissue::RunProgram("SyntheticTissue", [&] {
+    Options  options;
+    CLI::App app("Writes a label image like that of a segmented plant tissue.");
+    AddOptions(app, options);
+    if (!tissue::Parse(app, argc, argv))
     {
-      itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.threads);
-      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.threads);
+      return;
     }
-    if (options.pixelType == "uint8")
+    RequireOutputs(options);
+    tissue::UseThreads(options.run.threads);
+    RunForPixelType(options);
+    if (!options.run.isQuiet)
     {
-      Run<std::uint8_t>(options);
-    }
-    else if (options.pixelType == "uint16")
-    {
-      Run<std::uint16_t>(options);
-    }
-    else
-    {
-      Run<std::uint32_t>(options);
+      std::cout << options.labels << ": " << options.cells << " cells in " << options.size[0] << " x "
+                << options.size[1] << " x " << options.size[2] << " voxels\n";
     }
   });
 }

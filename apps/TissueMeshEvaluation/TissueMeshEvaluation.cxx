@@ -6,20 +6,22 @@
  *=========================================================================*/
 #include "Shared/CommandLine/OptionChecks.h"
 #include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/CommandLine/RunOptions.h"
 #include "Shared/CommandLine/RunProgram.h"
+#include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
-#include "Shared/Images/VisitPixelType.h"
-#include "Shared/Reconstruction/TissueInput.h"
+#include "Shared/Reconstruction/LabelImageInput.h"
 #include "TissueMeshEvaluation/WallMeshReader.h"
 #include "itkCellWallMeshEvaluationCalculator.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <sstream>
+#include <type_traits>
 
 namespace tissue
 {
@@ -29,10 +31,11 @@ using Json = nlohmann::ordered_json;
 
 struct Options
 {
-  ReconstructionOptions input;
-  std::string           mesh;
-  std::string           labelArray = "BoundaryLabels";
-  std::string           report;
+  LabelImageOptions image;
+  std::string       mesh;
+  std::string       labelArray = "BoundaryLabels";
+  std::string       report;
+  RunOptions        run;
 };
 
 /** All that is found of a mesh, by the cells of the image. */
@@ -41,46 +44,71 @@ struct Evaluation : TissueMeshEvaluation
   std::vector<Cell> imageCells;
 };
 
-TissueInput
-ReadLabels(const Options & options, ProgressBar & progress)
+void
+AddOptions(CLI::App & app, Options & options)
 {
-  try
+  app.option_defaults()->always_capture_default();
+  app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
+  app.add_option("MESH", options.mesh, "Triangles with two labels each (.vtp, .vtk)")->required();
+  app.add_option("LABELS", options.image.file, "The label image")->required();
+  app.add_option("--report", options.report, "Write all figures, by cell too, to this file (.json)");
+  app.add_option("--labelArray", options.labelArray, "Cell array of the mesh with the two labels of each triangle");
+  app.add_option(
+    "--exteriorLabel", options.image.exteriorLabel, "Label of the exterior; found in the image by default");
+  app.add_flag("--zeroIsCell", options.image.zeroIsCell, "Take label 0 for a cell");
+  app.add_option("--spacing", options.image.spacing, "Voxel size x y z in place of the image file's")
+    ->check(InRange(1e-12, 1e12));
+  app.add_option("--threads", options.run.threads, "Threads; 0: all cores. The result does not depend on it")
+    ->check(CLI::Range(0, 1024));
+  app.add_flag("--quiet", options.run.isQuiet, "Say nothing but errors");
+}
+
+/** Throws for everything that would make the report impossible, before the work. */
+void
+RequireOutput(const Options & options)
+{
+  if (!options.report.empty())
   {
-    return ReadTissue(options.input, progress);
-  }
-  catch (const std::exception & error)
-  {
-    throw std::runtime_error(options.input.labels + ": " + ToMessage(error));
+    OutputFiles::RequireWritable(options.report);
+    OutputFiles::RequireNotInput(options.report, options.mesh);
+    OutputFiles::RequireNotInput(options.report, options.image.file);
   }
 }
 
-Evaluation
-Evaluate(const Options & options)
+/** The junctions and the labels of the image, of which a mesh of any origin knows one exterior. */
+ExtractedJunctions
+FindJunctions(const LabelImage & image, const LabelImageOptions & options, ProgressBar & progress)
 {
-  ProgressBar       progress(options.input.isQuiet);
-  const TissueInput input = ReadLabels(options, progress);
+  JunctionOptions junctionOptions;
+  junctionOptions.exteriorLabel = options.exteriorLabel;
+  junctionOptions.zeroIsCell = options.zeroIsCell;
+  junctionOptions.makesVolume = true;
+  return ExtractTissue(image, junctionOptions, progress).extracted;
+}
+
+std::shared_ptr<const TrianglesOfLabels>
+ReadMesh(const Options & options, ProgressBar & progress)
+{
   progress.Begin("Reading the mesh");
-  const auto triangles = std::make_shared<const TrianglesOfLabels>(ReadWallMesh(options.mesh, options.labelArray));
+  return std::make_shared<const TrianglesOfLabels>(ReadWallMesh(options.mesh, options.labelArray));
+}
+
+/** \param meshFile the triangles' file, for messages. */
+Evaluation
+Evaluate(const LabelImage & image, const ExtractedJunctions & extracted,
+         const std::shared_ptr<const TrianglesOfLabels> & triangles, const std::string & meshFile,
+         ProgressBar & progress)
+{
   progress.Begin("Judging the mesh");
-  Evaluation result;
-  VisitPixelType(input.componentType, [&](auto zero) {
-    using ImageType = itk::Image<decltype(zero), 3>;
+  return VisitPixels(image, [&](const auto * pixels) {
+    using ImageType = std::remove_const_t<std::remove_pointer_t<decltype(pixels)>>;
     const auto calculator = itk::CellWallMeshEvaluationCalculator<ImageType>::New();
-    calculator->SetJunctions(input.junctions);
-    calculator->SetLabelVolume(input.volume);
+    calculator->SetJunctions(extracted.junctions);
+    calculator->SetLabelVolume(extracted.volume);
     calculator->SetTriangles(triangles);
-    try
-    {
-      calculator->Compute();
-    }
-    catch (const itk::ExceptionObject & error)
-    {
-      throw std::runtime_error(options.mesh + ": " + ToMessage(error));
-    }
-    result = { calculator->GetEvaluation(), calculator->GetCells() };
+    WithFileName(meshFile, [&] { calculator->Compute(); });
+    return Evaluation{ calculator->GetEvaluation(), calculator->GetCells() };
   });
-  progress.End();
-  return result;
 }
 
 Json
@@ -159,36 +187,13 @@ Print(const Evaluation & e, std::ostream & stream)
 }
 
 void
-Run(const Options & options)
+WriteReport(const Evaluation & evaluation, const std::string & report)
 {
-  if (!options.report.empty())
-  {
-    OutputFiles::RequireWritable(options.report);
-    OutputFiles::RequireNotInput(options.report, options.mesh);
-    OutputFiles::RequireNotInput(options.report, options.input.labels);
-  }
-  if (options.input.threads > 0)
-  {
-    itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(options.input.threads);
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(options.input.threads);
-  }
-  const Evaluation evaluation = Evaluate(options);
-  if (!options.report.empty())
+  if (!report.empty())
   {
     OutputFiles files;
-    files.Add(options.report, [&evaluation](const std::string & path) {
-      std::ofstream file(path);
-      file << ToJson(evaluation).dump(2) << '\n';
-      if (!file.flush())
-      {
-        throw std::runtime_error("cannot write " + path);
-      }
-    });
+    files.Add(report, [&evaluation](const std::string & path) { WriteJson(ToJson(evaluation), path); });
     files.Commit();
-  }
-  if (!options.input.isQuiet)
-  {
-    Print(evaluation, std::cout);
   }
 }
 } // namespace
@@ -197,27 +202,28 @@ Run(const Options & options)
 int
 main(int argc, char ** argv)
 {
-  return tissue::RunProgram("TissueMeshEvaluation", [&] {
-    tissue::Options options;
-    options.input.parameters.separateVoids = false; // a mesh of any origin knows one exterior
+  using namespace tissue;
+  return RunProgram("TissueMeshEvaluation", [&] {
+    Options  options;
     CLI::App app("Judges a mesh of cell walls, of any origin, by the label image that it is of.");
-    app.option_defaults()->always_capture_default();
-    app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-    app.add_option("MESH", options.mesh, "Triangles with two labels each (.vtp, .vtk)")->required();
-    app.add_option("LABELS", options.input.labels, "The label image")->required();
-    app.add_option("--report", options.report, "Write all figures, by cell too, to this file (.json)");
-    app.add_option("--labelArray", options.labelArray, "Cell array of the mesh with the two labels of each triangle");
-    app.add_option(
-      "--exteriorLabel", options.input.exteriorLabel, "Label of the exterior; found in the image by default");
-    app.add_flag("--zeroIsCell", options.input.zeroIsCell, "Take label 0 for a cell");
-    app.add_option("--spacing", options.input.spacing, "Voxel size x y z in place of the image file's")
-      ->check(tissue::InRange(1e-12, 1e12));
-    app.add_option("--threads", options.input.threads, "Threads; 0: all cores. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
-    app.add_flag("--quiet", options.input.isQuiet, "Say nothing but errors");
-    if (tissue::Parse(app, argc, argv))
+    AddOptions(app, options);
+    if (!Parse(app, argc, argv))
     {
-      tissue::Run(options);
+      return;
+    }
+    RequireOutput(options);
+    UseThreads(options.run.threads);
+    ProgressBar progress(options.run.isQuiet);
+
+    const LabelImage image = ReadLabelImage(options.image, progress);
+    const auto       extracted = FindJunctions(image, options.image, progress);
+    const auto       triangles = ReadMesh(options, progress);
+    const Evaluation evaluation = Evaluate(image, extracted, triangles, options.mesh, progress);
+    progress.End();
+    WriteReport(evaluation, options.report);
+    if (!options.run.isQuiet)
+    {
+      Print(evaluation, std::cout);
     }
   });
 }

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef WallMeshInput_h
-#define WallMeshInput_h
+#ifndef WallMeshReader_h
+#define WallMeshReader_h
 
 #include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
 

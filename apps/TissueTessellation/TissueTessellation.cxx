@@ -6,22 +6,46 @@
  *=========================================================================*/
 // From a segmented 3-D image of a tissue, or one of its membranes, to the triangular mesh of all its cell walls.
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/MembraneInput.h"
-#include "Shared/Reconstruction/ReconstructionProgram.h"
-#include "Shared/Reconstruction/TissueInput.h"
+#include "Shared/Reconstruction/ReconstructionOutput.h"
 #include "TissueTessellation/TissueTessellationOptions.h"
+
+namespace
+{
+using namespace tissue;
+
+TissueInput
+ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
+{
+  const ReconstructionParameters & parameters = options.method.parameters;
+  const JunctionOptions            junctionOptions{
+    options.image.exteriorLabel, options.image.zeroIsCell, parameters.separateVoids, parameters.fitToImage
+  };
+  return options.membrane.file.empty()
+           ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)
+           : ReadMembranes(options.membrane, junctionOptions, progress);
+}
+} // namespace
 
 int
 main(int argc, char ** argv)
 {
-  using namespace tissue;
   const std::string program = "TissueTessellation";
   return RunProgram(program, [&] {
-    if (const auto options = ParseCommandLine(argc, argv))
+    const auto options = ParseCommandLine(argc, argv);
+    if (!options)
     {
-      RunTissueProgram(program, *options, ToJson(*options), [&](ProgressBar & progress) {
-        return options->membrane.file.empty() ? ReadTissue(*options, progress) : ReadMembranes(*options, progress);
-      });
+      return;
     }
+    RequireOutputs(options->outputs, options->InputFiles());
+    UseThreads(options->run.threads);
+    ProgressBar progress(options->run.isQuiet);
+
+    TissueInput               input = ReadInput(*options, progress);
+    const ReconstructedTissue tissue =
+      Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
+    const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
+    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
+    WriteOutputs(options->outputs, report, progress);
+    Say(report, options->outputs, options->run.isQuiet);
   });
 }

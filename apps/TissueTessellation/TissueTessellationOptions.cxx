@@ -6,14 +6,16 @@
  *=========================================================================*/
 #include "TissueTessellation/TissueTessellationOptions.h"
 
-#include "Shared/Reconstruction/MethodOptions.h"
+#include "Shared/CommandLine/OptionChecks.h"
+
+#include <nlohmann/json.hpp>
 
 namespace tissue
 {
 namespace
 {
 void
-AddImageOptions(CLI::App & app, ReconstructionOptions & options)
+AddImageOptions(CLI::App & app, LabelImageOptions & options)
 {
   const std::string group = "Image";
   app.add_option("--exteriorLabel", options.exteriorLabel, "Label of the exterior; found in the image by default")
@@ -35,11 +37,11 @@ AddImageOptions(CLI::App & app, ReconstructionOptions & options)
 
 /** Whether the cells come from an image of membranes must be known before the files are. */
 void
-AddInputOptions(CLI::App & app, bool hasMembranes, ReconstructionOptions & options)
+AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & options)
 {
   if (!hasMembranes)
   {
-    app.add_option("labels", options.labels, "Segmented 3-D image in any of ITK's formats; none with --membrane")
+    app.add_option("labels", options.image.file, "Segmented 3-D image in any of ITK's formats; none with --membrane")
       ->required()
       ->type_name("FILE");
   }
@@ -66,43 +68,47 @@ AddInputOptions(CLI::App & app, bool hasMembranes, ReconstructionOptions & optio
 }
 } // namespace
 
-std::optional<ReconstructionOptions>
+std::optional<TissueTessellationOptions>
 ParseCommandLine(int argc, char ** argv)
 {
-  ReconstructionOptions options;
-  CLI::App              app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
+  const std::string         membrane = "--membrane";
+  const FoundOptions        found = FindOptions({ PresetOption, membrane }, argc, argv);
+  TissueTessellationOptions options;
+  CLI::App                  app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
                 "TissueTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  ApplyPreset(argc, argv, ReconstructionParameters::PaperPreset(), options);
-  AddInputOptions(app, HasOption("--membrane", argc, argv), options);
-  AddOutputOptions(app, options);
-  AddImageOptions(app, options);
-  AddEvaluationOption(app, options);
-  AddMethodOptions(app, options);
-  AddRunOptions(app, options);
+  options.method = ChoosePreset(found, ReconstructionParameters(), ReconstructionParameters::PaperPreset());
+  AddInputOptions(app, found.count(membrane) > 0, options);
+  AddOutputOptions(app, options.outputs);
+  AddImageOptions(app, options.image);
+  AddEvaluationOptions(app, options.evaluation);
+  AddMethodOptions(app, options.method);
+  AddRunOptions(app, options.run);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;
   }
   const CLI::Option * const closeGaps = app.get_option("--closeGaps");
-  options.closeGaps = *closeGaps ? std::optional<double>(closeGaps->as<double>()) : std::nullopt;
-  FinishParameters(options);
+  options.image.closeGaps = *closeGaps ? std::optional<double>(closeGaps->as<double>()) : std::nullopt;
+  options.method.parameters.keepStages = !options.evaluation.against.empty();
+  RequireInRange(options.method.parameters);
   return options;
 }
 
 nlohmann::ordered_json
-ToJson(const ReconstructionOptions & options)
+ToJson(const TissueTessellationOptions & options)
 {
-  nlohmann::ordered_json json;
-  json["preset"] = options.preset;
-  json["exteriorLabel"] = options.exteriorLabel ? nlohmann::ordered_json(*options.exteriorLabel) : "automatic";
-  json["zeroIsCell"] = options.zeroIsCell;
-  json["spacing"] = options.spacing ? nlohmann::ordered_json(*options.spacing) : "of the image";
-  json["closeGaps"] = options.closeGaps ? nlohmann::ordered_json(*options.closeGaps) : "off";
-  json["evaluateAgainst"] = options.evaluateAgainst;
-  json["evaluateByLabel"] = options.evaluateByLabel;
+  const LabelImageOptions & image = options.image;
+  nlohmann::ordered_json    json;
+  json["preset"] = options.method.preset;
+  json["exteriorLabel"] = image.exteriorLabel ? nlohmann::ordered_json(*image.exteriorLabel) : "automatic";
+  json["zeroIsCell"] = image.zeroIsCell;
+  json["spacing"] = image.spacing ? nlohmann::ordered_json(*image.spacing) : "of the image";
+  json["closeGaps"] = image.closeGaps ? nlohmann::ordered_json(*image.closeGaps) : "off";
+  json["evaluateAgainst"] = options.evaluation.against;
+  json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);
-  AddToJson(options.parameters, json);
+  AddToJson(options.method.parameters, json);
   return json;
 }
 } // namespace tissue

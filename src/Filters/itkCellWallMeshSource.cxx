@@ -6,7 +6,9 @@
  *=========================================================================*/
 #include "itkCellWallMeshSource.h"
 
-#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
+#include "TissueTessellationCore/Reconstruction/ParameterTable.h"
+
+#include <cctype>
 
 namespace itk
 {
@@ -139,11 +141,12 @@ void
 CellWallMeshSource::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "Seed: " << m_Parameters->annealing.seed << std::endl;
-  os << indent << "MaximumEdgeLength: " << m_Parameters->maximumEdgeLength << std::endl;
-  os << indent << "NumberOfCycles: " << m_Parameters->annealing.numberOfCycles << std::endl;
-  os << indent << "TrianglesPerCell: " << m_Parameters->trianglesPerCell << std::endl;
-  os << indent << "Refinement: " << m_Parameters->refinement << std::endl;
-  os << indent << "SmoothingIterations: " << m_Parameters->smoothingIterations << std::endl;
+  for (const tissue::Parameter & parameter : tissue::GetParameterTable())
+  {
+    // As the names of ITK's own members are printed, with a capital.
+    std::string name = parameter.name;
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    os << indent << name << ": " << tissue::ToString(tissue::GetValue(parameter, *m_Parameters)) << std::endl;
+  }
 }
 } // namespace itk

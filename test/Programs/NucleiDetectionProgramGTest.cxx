@@ -69,7 +69,7 @@ TEST_F(NucleiDetectionApp, FindsTheNucleiOfASyntheticTissue)
   ASSERT_EQ(known.size(), 40u);
   ASSERT_EQ(this->Run("nuclei.mha points.csv"), 0) << m_Errors;
   EXPECT_EQ(this->List(), "nuclei.mha points.csv ");
-  EXPECT_EQ(ReadBytes(this->PathOf("points.csv")).rfind("x,y,z,label,scale,radius,response\n", 0), 0u);
+  EXPECT_EQ(ReadBytes(this->PathOf("points.csv")).rfind("x,y,z,Label,scale,radius,response\n", 0), 0u);
   EXPECT_EQ(m_Output.rfind("points.csv: 40 nuclei of scales from ", 0), 0u) << m_Output;
   EXPECT_EQ(m_Errors, "");
   const auto found = tissue::ReadPointFile(this->PathOf("points.csv"));
@@ -140,7 +140,7 @@ TEST_F(NucleiDetectionApp, WarnsWhereThereAreNoNuclei)
       this->Run(std::string("slope.mha points.csv --minimumScale 1 --maximumScale 4 --threshold 0.5") + options), 0);
     EXPECT_EQ(m_Errors,
               "NucleiDetection: warning: slope.mha: no nuclei of scales from 1 to 4 with a response of 0.5 or more\n");
-    EXPECT_EQ(ReadBytes(this->PathOf("points.csv")), "x,y,z,label,scale,radius,response\n");
+    EXPECT_EQ(ReadBytes(this->PathOf("points.csv")), "x,y,z,Label,scale,radius,response\n");
   }
   ASSERT_EQ(this->Run("slope.mha points.csv"), 0);
   EXPECT_EQ(m_Errors, "NucleiDetection: warning: slope.mha: no nuclei, nor any blob that tells their scales\n");

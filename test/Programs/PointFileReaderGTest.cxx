@@ -97,7 +97,7 @@ TEST_F(PointFiles, EveryFormatReadsBackWhatWasWritten)
 {
   PointTable table;
   table.points = { { { 1.25, -2.5, 1e-7 } }, { { 0.1, 12345.678901234, 1.0 / 3.0 } } };
-  table.columns = { { "label", { 7.0, 9.0 } }, { "scale", { 0.3, 1.0 / 3.0 } } };
+  table.columns = { { "Label", { 7.0, 9.0 } }, { "scale", { 0.3, 1.0 / 3.0 } } };
   for (const std::string format : { ".csv", ".fcsv", ".vtp" })
   {
     const std::string path = PathOf("points" + format);
@@ -116,11 +116,20 @@ TEST_F(PointFiles, EveryFormatReadsBackWhatWasWritten)
   }
 }
 
+TEST_F(PointFiles, HaveLabelsInAColumnOfEitherName)
+{
+  for (const std::string name : { "Label", "label", "LABEL" })
+  {
+    const tissue::PointFile read = ReadPointFile(Write("a.csv", "x,y,z," + name + "\n1,2,3,8\n"));
+    EXPECT_EQ(read.labels, (std::vector<Label>{ 8 })) << name;
+  }
+}
+
 TEST_F(PointFiles, AreTheSameInALocaleOfDecimalCommas)
 {
   PointTable table;
   table.points = { { { 1.5, -2.25, 12345.5 } } };
-  table.columns = { { "label", { 1234.0 } }, { "scale", { 0.5 } } };
+  table.columns = { { "Label", { 1234.0 } }, { "scale", { 0.5 } } };
   const auto formats = { ".csv", ".fcsv", ".vtp" };
   for (const std::string format : formats)
   {

@@ -87,6 +87,8 @@ TEST_F(SyntheticTissueProgram, RefusesBadOptions)
   this->ExpectFailure("--cells 0 " + path, "--cells: Value 0 not in range 1 to");
   this->ExpectFailure("--cells many " + path, "--cells");
   this->ExpectFailure("--seed -1 " + path, "--seed: Value -1 not in range 0 to");
+  this->ExpectFailure("--exteriorLabel -1 " + path, "--exteriorLabel: Value -1 not in range 0 to 4294967295");
+  this->ExpectFailure("--firstLabel -1 " + path, "--firstLabel: Value -1 not in range 0 to 4294967295");
   this->ExpectFailure("--spacing 1 1 0 " + path, "--spacing: Value 0 not in range");
   this->ExpectFailure("--spacing 1 1 nan " + path, "Spacing is [1, 1, nan]");
   this->ExpectFailure("--shape ball " + path, "--shape");

@@ -179,6 +179,9 @@ TEST_F(TissueTessellationAppErrors, OptionsThatAreUnknownOrOutOfRange)
     { "--numberOfCycles -1", "--numberOfCycles is -1, must be in 0 .. 1000" },
     { "--smoothingIterations -1", "--smoothingIterations is -1, must be in 0 .. 10000" },
     { "--maximumEdgeLength nan", "--maximumEdgeLength is nan, must be in 0 .. " },
+    { "--triangles 5", "--triangles is 5, must be in 40 .. 10000" },
+    { "--triangles \"\"", "--triangles" },
+    { "--triangles many", "--triangles" },
     { "--coolingFactor 2", "--coolingFactor is 2, must be in 1e-09 .. 1" },
   };
   for (const auto & [option, message] : messages)

@@ -35,6 +35,28 @@ EndsIn(const std::string & extension)
   return CLI::Validator(check, "*" + extension);
 }
 
+FoundOptions
+FindOptions(const std::vector<std::string> & names, int argc, char ** argv)
+{
+  CLI::App app;
+  app.allow_extras();
+  app.set_help_flag();
+  FoundOptions found;
+  for (const std::string & name : names)
+  {
+    app.add_option(name, found[name]);
+  }
+  app.parse(argc, argv);
+  for (const std::string & name : names)
+  {
+    if (app.count(name) == 0)
+    {
+      found.erase(name);
+    }
+  }
+  return found;
+}
+
 bool
 Parse(CLI::App & app, int argc, char ** argv)
 {

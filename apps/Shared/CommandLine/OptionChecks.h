@@ -9,7 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <string>
+#include <vector>
 
 namespace tissue
 {
@@ -20,6 +22,15 @@ InRange(double least, double most);
 /** The extension of a file to write. */
 CLI::Validator
 EndsIn(const std::string & extension);
+
+/** The values of options by their names, "--preset". */
+using FoundOptions = std::map<std::string, std::string>;
+
+/** Those of the named options, of one value each, that are on the command line, whatever else is there: what other
+ * options there are, and their defaults, may depend on them.
+ * \throws CLI::Error where an option has no value, or is there twice. */
+FoundOptions
+FindOptions(const std::vector<std::string> & names, int argc, char ** argv);
 
 /** Parses the command line; false after --help and --version, which have then been answered.
  * \throws std::runtime_error that names the option and what is wrong with it. */

@@ -11,37 +11,31 @@
 
 namespace tissue
 {
-/** Calls visit with a value, 0, of the type in which labels of a file's integer type are read. */
+/** Calls visit with a value, 0, of the type in which labels of a file's integer type are read. Returns what it returns,
+ * which is of one type for all of them. */
 template <typename TVisitor>
-void
+auto
 VisitPixelType(itk::IOComponentEnum type, const TVisitor & visit)
 {
   switch (type)
   {
     case itk::IOComponentEnum::UCHAR:
-      visit(static_cast<unsigned char>(0));
-      break;
+      return visit(static_cast<unsigned char>(0));
     case itk::IOComponentEnum::CHAR:
-      visit(static_cast<signed char>(0));
-      break;
+      return visit(static_cast<signed char>(0));
     case itk::IOComponentEnum::USHORT:
-      visit(static_cast<unsigned short>(0));
-      break;
+      return visit(static_cast<unsigned short>(0));
     case itk::IOComponentEnum::SHORT:
-      visit(static_cast<short>(0));
-      break;
+      return visit(static_cast<short>(0));
     case itk::IOComponentEnum::UINT:
-      visit(0u);
-      break;
+      return visit(0u);
     case itk::IOComponentEnum::INT:
-      visit(0);
-      break;
+      return visit(0);
     case itk::IOComponentEnum::ULONG:
     case itk::IOComponentEnum::ULONGLONG:
-      visit(0ull);
-      break;
+      return visit(0ull);
     default:
-      visit(0ll);
+      return visit(0ll);
   }
 }
 } // namespace tissue

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef DetectionOptions_h
-#define DetectionOptions_h
+#ifndef NucleiSearch_h
+#define NucleiSearch_h
 
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/Images/ScalarImageInput.h"

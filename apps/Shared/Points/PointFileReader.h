@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef PointFile_h
-#define PointFile_h
+#ifndef PointFileReader_h
+#define PointFileReader_h
 
 #include "TissueTessellationCore/Common/Types.h"
 

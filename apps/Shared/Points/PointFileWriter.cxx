@@ -84,7 +84,7 @@ WriteFiducials(const PointTable & table, const std::string & path)
   stream << "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n"
             "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
          << std::setprecision(std::numeric_limits<double>::max_digits10);
-  const auto * const labels = table.FindColumn("label");
+  const auto * const labels = table.FindColumn("Label");
   for (std::size_t i = 0; i < table.points.size(); ++i)
   {
     const Point & p = table.points[i];

@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef PointOutput_h
-#define PointOutput_h
+#ifndef PointFileWriter_h
+#define PointFileWriter_h
 
 #include "TissueTessellationCore/Common/Types.h"
 
@@ -21,7 +21,7 @@ struct PointTable
   using Column = std::pair<std::string, std::vector<double>>;
 
   std::vector<Point> points;
-  /** Numbers, one for each point, by name: "label", "scale", ... */
+  /** Numbers, one for each point, by name: "Label", "scale", ... */
   std::vector<Column> columns;
 
   /** The column of this name, or nullptr. */

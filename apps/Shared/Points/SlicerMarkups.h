@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef MarkupsFile_h
-#define MarkupsFile_h
+#ifndef SlicerMarkups_h
+#define SlicerMarkups_h
 
 #include "Shared/Points/PointFileReader.h"
 

@@ -7,6 +7,7 @@
 #ifndef JunctionInput_h
 #define JunctionInput_h
 
+#include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkLabelJunctionExtractionFilter.h"
@@ -15,22 +16,22 @@
 
 namespace tissue
 {
-template <typename TImage>
-void
-DescribeImage(const TImage * image, TissueInput & input)
+/** How a label image is understood, and what is extracted from it. */
+struct JunctionOptions
 {
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    input.size[axis] = image->GetLargestPossibleRegion().GetSize(axis);
-    input.spacing[axis] = image->GetSpacing()[axis];
-  }
-}
+  /** Nothing: it is found in the image. */
+  std::optional<Label> exteriorLabel;
+  bool                 zeroIsCell = false;
+  /** See ReconstructionParameters::separateVoids. */
+  bool separateVoids = false;
+  /** Whether the labels are wanted too, for walls that are fitted to them. */
+  bool makesVolume = false;
+};
 
-/** Extracts the junctions of a label image for the input, and what the walls are fitted to if they are. */
+/** The junctions of a label image. \throws itk::ExceptionObject as itk::LabelJunctionExtractionFilter. */
 template <typename TImage>
-void
-ExtractJunctions(const TImage * image, const ReconstructionOptions & options, ProgressBar & progress,
-                 TissueInput & input)
+ExtractedJunctions
+ExtractJunctions(const TImage * image, const JunctionOptions & options, ProgressBar & progress)
 {
   Stopwatch  timer;
   const auto extraction = itk::LabelJunctionExtractionFilter<TImage>::New();
@@ -40,26 +41,28 @@ ExtractJunctions(const TImage * image, const ReconstructionOptions & options, Pr
     extraction->SetExteriorLabel(*options.exteriorLabel);
   }
   extraction->SetZeroIsCell(options.zeroIsCell);
-  extraction->SetSeparateVoids(options.parameters.separateVoids);
-  extraction->SetGenerateLabelVolume(options.parameters.fitToImage);
+  extraction->SetSeparateVoids(options.separateVoids);
+  extraction->SetGenerateLabelVolume(options.makesVolume);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);
   extraction->Update();
-  input.exteriorLabel = extraction->GetUsedExteriorLabel();
-  input.junctions = extraction->GetOutput();
-  input.junctions->DisconnectPipeline();
-  if (options.parameters.fitToImage)
+  ExtractedJunctions extracted;
+  extracted.exteriorLabel = extraction->GetUsedExteriorLabel();
+  extracted.junctions = extraction->GetOutput();
+  extracted.junctions->DisconnectPipeline();
+  if (options.makesVolume)
   {
-    input.volume = extraction->GetLabelVolume();
-    input.volume->DisconnectPipeline();
+    extracted.volume = extraction->GetLabelVolume();
+    extracted.volume->DisconnectPipeline();
   }
-  input.extractSeconds = timer.Lap().wallSeconds;
+  extracted.seconds = timer.Lap().wallSeconds;
+  return extracted;
 }
 
 /** Likewise of a label image that we have made, whose exterior is 0 where it has one. */
 template <typename TImage>
-void
-ExtractTissueJunctions(const TImage * image, ReconstructionOptions options, ProgressBar & progress, TissueInput & input)
+ExtractedJunctions
+ExtractTissueJunctions(const TImage * image, JunctionOptions options, ProgressBar & progress)
 {
   const auto * const begin = image->GetBufferPointer();
   const auto * const end = begin + image->GetBufferedRegion().GetNumberOfPixels();
@@ -67,7 +70,7 @@ ExtractTissueJunctions(const TImage * image, ReconstructionOptions options, Prog
   {
     options.exteriorLabel = 0;
   }
-  ExtractJunctions(image, options, progress, input);
+  return ExtractJunctions(image, options, progress);
 }
 } // namespace tissue
 

@@ -4,27 +4,26 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Shared/Reconstruction/LabelImageInput.h"
+
+#include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Images/ImageFileCheck.h"
 #include "Shared/Images/ImageInput.h"
 #include "Shared/Images/StandardErrorCapture.h"
-#include "Shared/Images/VisitPixelType.h"
-#include "Shared/Reconstruction/JunctionInput.h"
-#include "Shared/Reconstruction/TissueInput.h"
-#include "TissueTessellationCore/Adjacency/SeparatedCells.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkLabelGapClosingImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 namespace tissue
 {
 namespace
 {
-constexpr unsigned int Dimension = 3;
 /** Throws where the image, by its header, is no label image. */
 void
 RequireLabelImage(const itk::ImageIOBase * io)
@@ -39,28 +38,29 @@ RequireLabelImage(const itk::ImageIOBase * io)
   }
 }
 
-void
-CheckSpacing(const itk::ImageIOBase * io, TissueInput & input)
+/** What there is to doubt of the voxels' size. */
+std::vector<std::string>
+CheckSpacing(const itk::ImageIOBase * io, const std::array<double, 3> & spacing)
 {
   // Some formats hold the inverse of the spacing, in single precision.
-  const auto isOne = [](double spacing) { return std::abs(spacing - 1.0) < 1e-6; };
-  if (std::all_of(input.spacing.begin(), input.spacing.end(), isOne))
+  const auto isOne = [](double length) { return std::abs(length - 1.0) < 1e-6; };
+  if (std::all_of(spacing.begin(), spacing.end(), isOne))
   {
-    input.warnings.push_back(
-      "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
-      "volumes depend on; --spacing X Y Z gives it");
+    return { "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
+             "volumes depend on; --spacing X Y Z gives it" };
   }
-  else if (std::string(io->GetNameOfClass()) == "TIFFImageIO")
+  if (std::string(io->GetNameOfClass()) == "TIFFImageIO")
   {
-    input.warnings.push_back("a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
-                             "the voxel size");
+    return { "a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
+             "the voxel size" };
   }
+  return {};
 }
 
 /** The exterior's label, given or found in the image; nothing where the image has none. */
 template <typename TImage>
 std::optional<Label>
-FindExteriorLabel(const TImage * image, const ReconstructionOptions & options)
+FindExteriorLabel(const TImage * image, const LabelImageOptions & options)
 {
   if (options.exteriorLabel)
   {
@@ -78,7 +78,7 @@ FindExteriorLabel(const TImage * image, const ReconstructionOptions & options)
 /** Makes one label of all that is background: the exterior's, and 0 unless it is a cell. Returns it. */
 template <typename TImage>
 typename TImage::PixelType
-UniteBackground(TImage * image, const ReconstructionOptions & options)
+UniteBackground(TImage * image, const LabelImageOptions & options)
 {
   using PixelType = typename TImage::PixelType;
   PixelType * const          begin = image->GetBufferPointer();
@@ -101,8 +101,8 @@ UniteBackground(TImage * image, const ReconstructionOptions & options)
 }
 
 template <typename TImage>
-typename TImage::Pointer
-CloseGaps(TImage * image, const ReconstructionOptions & options, ProgressBar & progress, TissueInput & input)
+std::pair<typename TImage::Pointer, ClosedGaps>
+CloseGaps(TImage * image, const LabelImageOptions & options, ProgressBar & progress)
 {
   const auto background = UniteBackground(image, options);
   const auto closing = itk::LabelGapClosingImageFilter<TImage>::New();
@@ -112,107 +112,72 @@ CloseGaps(TImage * image, const ReconstructionOptions & options, ProgressBar & p
   progress.Begin("Closing gaps");
   progress.Observe(closing);
   closing->Update();
-  input.closedGapWidth = closing->GetUsedGapWidth();
-  input.numberOfClosedVoxels = closing->GetNumberOfChangedVoxels();
-  input.largestClosedDistance = closing->GetLargestDistance();
   typename TImage::Pointer closed = closing->GetOutput();
   closed->DisconnectPipeline();
-  return closed;
+  return { closed, { closing->GetUsedGapWidth(), closing->GetNumberOfChangedVoxels(), closing->GetLargestDistance() } };
 }
 
 template <typename TPixel>
-void
-Process(const itk::ImageIOBase * io, const ReconstructionOptions & options, ProgressBar & progress, TissueInput & input)
+LabelImage
+ReadPixels(const itk::ImageIOBase * io, const LabelImageOptions & options, ProgressBar & progress)
 {
-  using ImageType = itk::Image<TPixel, Dimension>;
+  using ImageType = itk::Image<TPixel, 3>;
   Stopwatch stopwatch;
   progress.Begin("Reading");
   StandardErrorCapture        messages;
-  typename ImageType::Pointer image = ReadImage<ImageType>(options.labels, options.spacing);
-  for (const std::string & warning : JudgeMessages(messages.Release(), io))
-  {
-    input.warnings.push_back(warning);
-  }
-  input.readSeconds = stopwatch.Lap().wallSeconds;
-  DescribeImage(image.GetPointer(), input);
-
+  typename ImageType::Pointer image = ReadImage<ImageType>(options.file, options.spacing);
+  LabelImage                  result;
+  result.file = options.file;
+  result.warnings = JudgeMessages(messages.Release(), io);
+  result.componentType = io->GetComponentType();
+  result.description =
+    DescribeImage(image.GetPointer(), itk::ImageIOBase::GetComponentTypeAsString(result.componentType));
+  result.seconds.read = stopwatch.Lap().wallSeconds;
   if (options.closeGaps)
   {
-    image = CloseGaps<ImageType>(image, options, progress, input);
-    input.closeGapsSeconds = stopwatch.Lap().wallSeconds;
+    std::tie(image, result.closedGaps) = CloseGaps<ImageType>(image, options, progress);
+    result.seconds.closeGaps = stopwatch.Lap().wallSeconds;
   }
-
-  ExtractJunctions(image.GetPointer(), options, progress, input);
-  if (options.keepsImage)
-  {
-    input.image = image;
-  }
+  result.pixels = image;
+  return result;
 }
 } // namespace
 
-std::string
-NameLabels(const std::vector<Label> & labels)
+LabelImage
+ReadLabelImage(const LabelImageOptions & options, ProgressBar & progress)
 {
-  constexpr std::size_t most = 10;
-  std::ostringstream    text;
-  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i)
-  {
-    text << (i > 0 ? ", " : "") << labels[i];
-  }
-  text << (labels.size() > most ? ", ..." : "");
-  return text.str();
-}
-
-void
-CheckThatCellsTouch(const JunctionSet & junctions, const ReconstructionOptions & options, TissueInput & input)
-{
-  const std::vector<VertexId> separated = FindSeparatedCells(junctions);
-  if (separated.empty())
-  {
-    return;
-  }
-  std::vector<Label> labels;
-  for (const VertexId cell : separated)
-  {
-    labels.push_back(junctions.cells[cell].label);
-  }
-  const std::size_t numberOfCells = junctions.cells.size() - 1;
-  const std::string message = std::to_string(separated.size()) + " of " + std::to_string(numberOfCells) +
-                              " cells touch no other cell though others are near (labels " + NameLabels(labels) +
-                              "): a wall of background lies between them";
-  if (2 * separated.size() > numberOfCells)
-  {
-    std::ostringstream help;
-    if (options.closeGaps)
+  return WithFileName(options.file, [&] {
+    StandardErrorCapture            messages;
+    const itk::ImageIOBase::Pointer io = OpenImage(options.file);
+    std::vector<std::string>        warnings = JudgeMessages(messages.Release(), io);
+    RequireLabelImage(io);
+    RequireAllVoxels(options.file, io);
+    LabelImage image = VisitPixelType(io->GetComponentType(),
+                                      [&](auto zero) { return ReadPixels<decltype(zero)>(io, options, progress); });
+    Append(image.warnings, warnings);
+    if (!options.spacing)
     {
-      help << ", wider than the gaps that --closeGaps has closed, of " << input.closedGapWidth;
+      Append(CheckSpacing(io, image.description.spacing), warnings);
     }
-    else
-    {
-      help << "; --closeGaps grows the labels over such walls";
-    }
-    throw std::runtime_error(message + help.str());
-  }
-  input.warnings.push_back(message);
+    image.warnings = warnings;
+    return image;
+  });
 }
 
 TissueInput
-ReadTissue(const ReconstructionOptions & options, ProgressBar & progress)
+ExtractTissue(const LabelImage & image, const JunctionOptions & options, ProgressBar & progress)
 {
-  TissueInput                     input;
-  StandardErrorCapture            messages;
-  const itk::ImageIOBase::Pointer io = OpenImage(options.labels);
-  input.warnings = JudgeMessages(messages.Release(), io);
-  RequireLabelImage(io);
-  RequireAllVoxels(options.labels, io);
-  input.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
-  input.componentType = io->GetComponentType();
-  VisitPixelType(input.componentType, [&](auto zero) { Process<decltype(zero)>(io, options, progress, input); });
-  if (!options.spacing)
-  {
-    CheckSpacing(io, input);
-  }
-  CheckThatCellsTouch(input.junctions->GetJunctionSet(), options, input);
-  return input;
+  return WithFileName(image.file, [&] {
+    TissueInput input;
+    input.file = image.file;
+    input.image = image.description;
+    input.closedGaps = image.closedGaps;
+    input.warnings = image.warnings;
+    input.seconds = image.seconds;
+    input.extracted =
+      VisitPixels(image, [&](const auto * pixels) { return ExtractJunctions(pixels, options, progress); });
+    Append(CheckThatCellsTouch(input.GetJunctionSet(), input.closedGaps), input.warnings);
+    return input;
+  });
 }
 } // namespace tissue

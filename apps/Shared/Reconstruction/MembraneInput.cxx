@@ -6,27 +6,56 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/MembraneInput.h"
 
-#include "Shared/Reconstruction/JunctionInput.h"
+#include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/CommandLine/RunProgram.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkMembraneToTissueLabelImageFilter.h"
 
+#include <nlohmann/json.hpp>
+
 namespace tissue
 {
-ScalarImage::Pointer
-ReadStain(const std::string & path, TissueInput & input)
+void
+AddMembraneOptions(CLI::App & app, MembraneOptions & options)
+{
+  const std::string group = "Membranes";
+  app
+    .add_option("--membraneSigma",
+                options.sigma,
+                "Smoothing of the image of membranes before the watershed, in the image's units; 0: none")
+    ->check(InRange(0.0, 1e12))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void
+AddToJson(const MembraneOptions & options, nlohmann::ordered_json & json)
+{
+  if (!options.file.empty())
+  {
+    json["membrane"] = { { "file", options.file },
+                         { "sigma", options.sigma },
+                         { "markerSigma", options.markerSigma },
+                         { "markerDepth", options.markerDepth } };
+  }
+}
+
+Stain
+ReadStain(const std::string & path)
 {
   Stopwatch             timer;
   const ScalarImageFile file = ReadScalarImage(path);
-  input.warnings.insert(input.warnings.end(), file.warnings.begin(), file.warnings.end());
-  input.pixelType = file.pixelType;
-  DescribeImage(file.image.GetPointer(), input);
-  input.readSeconds += timer.Lap().wallSeconds;
-  return file.image;
+  Stain                 stain;
+  stain.image = file.image;
+  stain.description = DescribeImage(file.image.GetPointer(), file.pixelType);
+  stain.warnings = file.warnings;
+  stain.readSeconds = timer.Lap().wallSeconds;
+  return stain;
 }
 
-TissueLabelImage::Pointer
+MembraneSegmentation
 SegmentMembranes(const ScalarImage * membranes, const TissueLabelImage * cells, const MembraneOptions & options,
-                 ProgressBar & progress, TissueInput & input)
+                 ProgressBar & progress)
 {
   Stopwatch  timer;
   const auto segmentation = itk::MembraneToTissueLabelImageFilter<ScalarImage, TissueLabelImage>::New();
@@ -41,19 +70,25 @@ SegmentMembranes(const ScalarImage * membranes, const TissueLabelImage * cells, 
   progress.Begin("Segmenting the membranes");
   progress.Observe(segmentation);
   segmentation->Update();
-  input.segmentSeconds += timer.Lap().wallSeconds;
-  return segmentation->GetOutput();
+  return { segmentation->GetOutput(), timer.Lap().wallSeconds };
 }
 
 TissueInput
-ReadMembranes(const ReconstructionOptions & options, ProgressBar & progress)
+ReadMembranes(const MembraneOptions & options, const JunctionOptions & junctionOptions, ProgressBar & progress)
 {
-  TissueInput input;
-  progress.Begin("Reading");
-  const ScalarImage::Pointer      membranes = ReadStain(options.membrane.file, input);
-  const TissueLabelImage::Pointer cells = SegmentMembranes(membranes, nullptr, options.membrane, progress, input);
-  ExtractTissueJunctions(cells.GetPointer(), options, progress, input);
-  CheckThatCellsTouch(input.junctions->GetJunctionSet(), options, input);
-  return input;
+  return WithFileName(options.file, [&] {
+    progress.Begin("Reading");
+    const Stain                membranes = ReadStain(options.file);
+    const MembraneSegmentation cells = SegmentMembranes(membranes.image, nullptr, options, progress);
+    TissueInput                input;
+    input.file = options.file;
+    input.image = membranes.description;
+    input.warnings = membranes.warnings;
+    input.seconds.read = membranes.readSeconds;
+    input.seconds.segment = cells.seconds;
+    input.extracted = ExtractTissueJunctions(cells.labels.GetPointer(), junctionOptions, progress);
+    Append(CheckThatCellsTouch(input.GetJunctionSet(), std::nullopt), input.warnings);
+    return input;
+  });
 }
 } // namespace tissue

@@ -4,53 +4,47 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef CommandLineParts_h
-#define CommandLineParts_h
+#ifndef MethodOptions_h
+#define MethodOptions_h
 
 #include "Shared/CommandLine/OptionChecks.h"
-#include "Shared/Reconstruction/ReconstructionOptions.h"
+#include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
 
 namespace tissue
 {
-/** The mesh of the walls, required, and all further outputs. */
-void
-AddOutputOptions(CLI::App & app, ReconstructionOptions & options);
+/** How a tissue is reconstructed. */
+struct MethodOptions
+{
+  /** "default" or "paper". */
+  std::string preset = "default";
+  /** Those of the preset, but for what the user chose. */
+  ReconstructionParameters parameters;
+};
 
-/** The image of membranes and how it is segmented. */
-void
-AddMembraneOptions(CLI::App & app, MembraneOptions & options);
+/** Which preset it is must be known, by FindOptions(), before the options are made that override it. */
+inline const std::string PresetOption = "--preset";
 
-void
-AddEvaluationOption(CLI::App & app, ReconstructionOptions & options);
+/** The preset that is among the options found, with its parameters. */
+MethodOptions
+ChoosePreset(const FoundOptions & found, const ReconstructionParameters & byDefault,
+             const ReconstructionParameters & ofPaper);
 
-/** The preset, which must have been applied by ApplyPreset(), and the parameters that override it. */
+/** The preset, and the parameters that override those that `options` has from ChoosePreset(). */
 void
-AddMethodOptions(CLI::App & app, ReconstructionOptions & options);
+AddMethodOptions(CLI::App & app, MethodOptions & options);
 
+/** \throws std::runtime_error that names the option of a parameter that is out of its range, its value and the range.
+ */
 void
-AddRunOptions(CLI::App & app, ReconstructionOptions & options);
-
-/** Sets the parameters to those of the paper if the command line asks for them. The preset must be known before the
- * options that override it are read. */
-void
-ApplyPreset(int argc, char ** argv, const ReconstructionParameters & paper, ReconstructionOptions & options);
-
-/** Whether an option with a value is on the command line: what else is there may depend on it. */
-bool
-HasOption(const std::string & name, int argc, char ** argv);
-
-/** Sets what follows from the other options. \throws std::runtime_error for a parameter out of range. */
-void
-FinishParameters(ReconstructionOptions & options);
+RequireInRange(const ReconstructionParameters & parameters);
 
 /** The parameters for the report. */
 void
 AddToJson(const ReconstructionParameters & parameters, nlohmann::ordered_json & json);
-
-void
-AddToJson(const MembraneOptions & options, nlohmann::ordered_json & json);
 } // namespace tissue
 
 #endif

@@ -7,12 +7,13 @@
 #ifndef ReconstructionReport_h
 #define ReconstructionReport_h
 
+#include "Shared/Reconstruction/OutputPaths.h"
+#include "Shared/Reconstruction/ReconstructedTissue.h"
 #include "Shared/Reconstruction/StageEvaluation.h"
 #include "Shared/Reconstruction/TissueInput.h"
-#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <ostream>
 
@@ -21,15 +22,38 @@ namespace tissue
 /** Everything that is reported of a run. */
 struct ReconstructionReport
 {
-  const std::string &            program;
-  const ReconstructionOptions &  options;
-  const nlohmann::ordered_json & optionsAsJson;
-  const TissueInput &            input;
-  const TissueReconstruction &   reconstruction;
-  const CellSurfaceCheck &       check;
-  double                         checkSeconds = 0.0;
-  /** Null unless the stages are judged. */
-  const Judge * judge = nullptr;
+  std::string                            program;
+  nlohmann::ordered_json                 options;
+  const TissueInput &                    input;
+  const ReconstructedTissue &            tissue;
+  const std::optional<StageEvaluation> & evaluation;
+
+  const TissueReconstruction &
+  GetReconstruction() const
+  {
+    return tissue.mesh->GetReconstruction();
+  }
+
+  /** The exterior and the cells. */
+  const std::vector<Cell> &
+  GetCells() const
+  {
+    return input.GetJunctionSet().cells;
+  }
+
+  /** Points alone have no walls, lines and junctions in an image, and no volumes, to compare with. */
+  bool
+  HasLabelImage() const
+  {
+    return !input.GetJunctionSet().walls.empty();
+  }
+
+  /** Whether the voxels of an image are known: of the label image, or of that of the nuclei. */
+  bool
+  HasVoxels() const
+  {
+    return input.image.size[0] > 0;
+  }
 };
 
 /** \brief The report as JSON: program, input, options, stages, cleanUp, cycles, mesh, warnings, remarks, seconds.
@@ -43,10 +67,22 @@ ToJson(const ReconstructionReport & report);
 std::vector<std::string>
 CollectWarnings(const ReconstructionReport & report);
 
+/** The remarks on cells: those that the check of the mesh makes, then those of the reconstruction. */
+std::vector<CellRemark>
+CollectAllRemarks(const ReconstructionReport & report);
+
+/** The labels of cells. */
+std::vector<Label>
+LabelsOf(const std::vector<VertexId> & vertices, const std::vector<Cell> & cells);
+
 /** The report for a person: the input, the stages as the rows of the paper's Table 1, the mesh, the remarks on cells by
  * kind, and the files written. */
 void
-Print(const ReconstructionReport & report, std::ostream & stream);
+Print(const ReconstructionReport & report, const OutputPaths & outputs, std::ostream & stream);
+
+/** Writes the warnings on standard error and, unless it is to be quiet, the report on standard output. */
+void
+Say(const ReconstructionReport & report, const OutputPaths & outputs, bool isQuiet);
 } // namespace tissue
 
 #endif

@@ -6,19 +6,29 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/StageEvaluation.h"
 
-#include "Shared/CommandLine/RunProgram.h"
+#include "Shared/Reconstruction/LabelImageInput.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 namespace tissue
 {
 namespace
 {
+/** Which cell of the judge the cells of a tissue are. */
+struct Counterparts
+{
+  /** Of each vertex of the tissue the cell of the judge that its centre is in, negative where there is none or another
+   * vertex has it; the exterior is the exterior. */
+  std::vector<VertexId> cellOfVertex;
+  std::size_t           numberOfUnknownCells = 0;
+  std::size_t           numberOfMissedCells = 0;
+};
+
 /** The judge's cell at a place, or the exterior. */
 VertexId
 CellAt(const LabelVolume & volume, const Point & position)
@@ -29,51 +39,80 @@ CellAt(const LabelVolume & volume, const Point & position)
   };
   return volume.At(round(index[0]), round(index[1]), round(index[2]));
 }
-} // namespace
 
-Judge
-ReadJudge(const std::string & path, const std::vector<Cell> & cells, bool isByLabel, ProgressBar & progress)
+Counterparts
+FindCounterparts(const std::vector<Cell> & cells, const TissueInput & judge, bool isByLabel)
 {
-  ReconstructionOptions options;
-  options.labels = path;
-  options.parameters.separateVoids = false;
-  const TissueInput input = WithFileName(path, [&] { return ReadTissue(options, progress); });
-  Judge             judge;
-  judge.junctions = input.junctions->GetJunctionSet();
+  const std::vector<Cell> & judgeCells = judge.GetJunctionSet().cells;
   std::map<Label, VertexId> cellOfLabel;
-  for (std::size_t v = 1; v < judge.junctions.cells.size(); ++v)
+  for (std::size_t v = 1; v < judgeCells.size(); ++v)
   {
-    cellOfLabel[judge.junctions.cells[v].label] = static_cast<VertexId>(v);
+    cellOfLabel[judgeCells[v].label] = static_cast<VertexId>(v);
   }
-  judge.cellOfVertex.assign(cells.size(), -1);
-  judge.cellOfVertex[ExteriorVertex] = ExteriorVertex;
+  Counterparts counterparts;
+  counterparts.cellOfVertex.assign(cells.size(), -1);
+  counterparts.cellOfVertex[ExteriorVertex] = ExteriorVertex;
   std::set<VertexId> taken{ ExteriorVertex };
   for (std::size_t v = 1; v < cells.size(); ++v)
   {
     const auto     found = cellOfLabel.find(cells[v].label);
     const VertexId ofLabel = found != cellOfLabel.end() ? found->second : ExteriorVertex;
-    const VertexId cell = isByLabel ? ofLabel : CellAt(input.volume->GetLabelVolume(), cells[v].center);
+    const VertexId cell = isByLabel ? ofLabel : CellAt(judge.extracted.volume->GetLabelVolume(), cells[v].center);
     if (taken.insert(cell).second)
     {
-      judge.cellOfVertex[v] = cell;
+      counterparts.cellOfVertex[v] = cell;
     }
     else
     {
-      ++judge.numberOfUnknownCells;
+      ++counterparts.numberOfUnknownCells;
     }
   }
-  judge.numberOfMissedCells = judge.junctions.cells.size() - taken.size();
-  return judge;
+  counterparts.numberOfMissedCells = judgeCells.size() - taken.size();
+  return counterparts;
+}
+} // namespace
+
+void
+AddEvaluationOptions(CLI::App & app, EvaluationOptions & options)
+{
+  app
+    .add_option(
+      "--evaluateAgainst", options.against, "Label image that judges every stage of the complex, in the report")
+    ->type_name("FILE")
+    ->group("Further outputs");
+  app
+    .add_flag("--evaluateByLabel",
+              options.byLabel,
+              "Its cells are those of the same labels; otherwise those that hold the cells' centres")
+    ->needs("--evaluateAgainst")
+    ->group("Further outputs");
 }
 
-StageEvaluation
-EvaluateStages(const TissueReconstruction & reconstruction, const Judge & judge)
+std::optional<StageEvaluation>
+EvaluateStages(const EvaluationOptions & options, const TissueInput & input,
+               const TissueReconstruction & reconstruction, ProgressBar & progress)
 {
-  const auto evaluate = [&](const std::vector<VertexQuadruple> & tetrahedra) {
-    return ComputeAdjacencyOverlap(tetrahedra, judge.cellOfVertex, judge.junctions);
+  if (options.against.empty())
+  {
+    return std::nullopt;
+  }
+  LabelImageOptions imageOptions;
+  imageOptions.file = options.against;
+  JunctionOptions junctionOptions;
+  junctionOptions.makesVolume = true;
+  const TissueInput judge = ExtractTissue(ReadLabelImage(imageOptions, progress), junctionOptions, progress);
+  // Cells of the judge itself are known by their labels.
+  std::error_code    isOther;
+  const bool         isItself = std::filesystem::equivalent(input.file, options.against, isOther);
+  const Counterparts counterparts = FindCounterparts(input.GetJunctionSet().cells, judge, isItself || options.byLabel);
+  const auto         evaluate = [&](const std::vector<VertexQuadruple> & tetrahedra) {
+    return ComputeAdjacencyOverlap(tetrahedra, counterparts.cellOfVertex, judge.GetJunctionSet());
   };
-  return { evaluate(reconstruction.delaunay.tetrahedra),
-           evaluate(reconstruction.cleaned.tetrahedra),
-           evaluate(reconstruction.tetrahedra) };
+  return StageEvaluation{ options.against,
+                          counterparts.numberOfUnknownCells,
+                          counterparts.numberOfMissedCells,
+                          evaluate(reconstruction.delaunay.tetrahedra),
+                          evaluate(reconstruction.cleaned.tetrahedra),
+                          evaluate(reconstruction.tetrahedra) };
 }
 } // namespace tissue

@@ -7,40 +7,44 @@
 #ifndef StageEvaluation_h
 #define StageEvaluation_h
 
+#include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
+#include <CLI/CLI.hpp>
+
 namespace tissue
 {
-/** The label image that a tissue from other sources is judged by, beside that tissue's cells. */
-struct Judge
+/** How the stages of the complex are judged. */
+struct EvaluationOptions
 {
-  JunctionSet junctions;
-  /** Of each vertex of the tissue the cell of the judge that its centre is in, negative where there is none or another
-   * vertex has it; the exterior is the exterior. */
-  std::vector<VertexId> cellOfVertex;
-  /** Cells of the tissue, and of the judge, that have no counterpart. */
-  std::size_t numberOfUnknownCells = 0;
-  std::size_t numberOfMissedCells = 0;
+  /** The label image that judges; empty: none. */
+  std::string against;
+  /** Whether cells of the same label are the same cell, wherever their centres are. */
+  bool byLabel = false;
 };
 
-/** Reads the label image.
- * \param isByLabel whether cells of the same label are the same cell, wherever their centres are.
- * \throws std::runtime_error as ReadTissue(), with the file's name. */
-Judge
-ReadJudge(const std::string & path, const std::vector<Cell> & cells, bool isByLabel, ProgressBar & progress);
+void
+AddEvaluationOptions(CLI::App & app, EvaluationOptions & options);
 
+/** The agreement of the stages with the label image that judges. */
 struct StageEvaluation
 {
+  std::string against;
+  /** Cells of the tissue, and of the judge, that have no counterpart. */
+  std::size_t      numberOfUnknownCells = 0;
+  std::size_t      numberOfMissedCells = 0;
   AdjacencyOverlap delaunay;
   AdjacencyOverlap cleaned;
   AdjacencyOverlap optimized;
 };
 
-/** The stages must be kept (ReconstructionParameters::keepStages). */
-StageEvaluation
-EvaluateStages(const TissueReconstruction & reconstruction, const Judge & judge);
+/** Nothing unless a label image is to judge. The stages must be kept (ReconstructionParameters::keepStages).
+ * \throws FileError as ReadLabelImage() and ExtractTissue(). */
+std::optional<StageEvaluation>
+EvaluateStages(const EvaluationOptions & options, const TissueInput & input,
+               const TissueReconstruction & reconstruction, ProgressBar & progress);
 } // namespace tissue
 
 #endif

@@ -7,57 +7,102 @@
 #ifndef TissueInput_h
 #define TissueInput_h
 
-#include "Shared/CommandLine/ProgressBar.h"
-#include "Shared/Reconstruction/ReconstructionOptions.h"
 #include "itkTissueJunctions.h"
 #include "itkTissueLabelVolume.h"
 
-#include <itkCommonEnums.h>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace tissue
 {
-/** A label image as the program takes it: its junctions, and what is to be said of it. */
-struct TissueInput
+/** What is to be said of an image. */
+struct ImageDescription
+{
+  /** Of the file; empty where there is none. */
+  std::string pixelType;
+  /** 0 where no voxels are known. */
+  std::array<std::size_t, 3> size{};
+  std::array<double, 3>      spacing{};
+};
+
+/** What became of the gaps between the cells. Widths and distances are in the image's units. */
+struct ClosedGaps
+{
+  double      width = 0.0;
+  std::size_t numberOfVoxels = 0;
+  double      largestDistance = 0.0;
+};
+
+/** Times on the wall of the steps that led to the labels. */
+struct InputSeconds
+{
+  double read = 0.0;
+  double closeGaps = 0.0;
+  double segment = 0.0;
+};
+
+/** What is extracted from a label image. */
+struct ExtractedJunctions
 {
   itk::TissueJunctions::Pointer junctions;
   /** The labels that the walls are fitted to; none if they are not. */
   itk::TissueLabelVolume::Pointer volume;
-  /** The image itself, of the pixels that VisitPixelType() gives of the component type; none unless it is kept. */
-  itk::DataObject::ConstPointer image;
-  itk::IOComponentEnum          componentType = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
-  /** Of the file of points; 0 for an image. */
-  std::size_t                numberOfPoints = 0;
-  std::string                pixelType;
-  std::array<std::size_t, 3> size{};
-  std::array<double, 3>      spacing{};
-  Label                      exteriorLabel = 0;
-  std::vector<std::string>   warnings;
-
-  /** Of the gaps closed; 0 without. Widths and distances are in the image's units. */
-  double      closedGapWidth = 0.0;
-  std::size_t numberOfClosedVoxels = 0;
-  double      largestClosedDistance = 0.0;
-
-  double readSeconds = 0.0;
-  double closeGapsSeconds = 0.0;
-  double segmentSeconds = 0.0;
-  double extractSeconds = 0.0;
+  Label                           exteriorLabel = 0;
+  /** Time on the wall that it took. */
+  double seconds = 0.0;
 };
+
+/** \brief The cells of a tissue as the programs take them, from an image or from points, and what is to be said of
+ * where they come from. */
+struct TissueInput
+{
+  /** The file that the cells are from. */
+  std::string        file;
+  ExtractedJunctions extracted;
+  /** Of the file of points; 0 for an image. */
+  std::size_t      numberOfPoints = 0;
+  ImageDescription image;
+  /** Nothing unless they were to be closed. */
+  std::optional<ClosedGaps> closedGaps;
+  std::vector<std::string>  warnings;
+  InputSeconds              seconds;
+
+  const JunctionSet &
+  GetJunctionSet() const
+  {
+    return extracted.junctions->GetJunctionSet();
+  }
+};
+
+template <typename TImage>
+ImageDescription
+DescribeImage(const TImage * image, const std::string & pixelType)
+{
+  ImageDescription description;
+  description.pixelType = pixelType;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    description.size[axis] = image->GetLargestPossibleRegion().GetSize(axis);
+    description.spacing[axis] = image->GetSpacing()[axis];
+  }
+  return description;
+}
+
+/** Adds warnings to those that there are. */
+void
+Append(const std::vector<std::string> & more, std::vector<std::string> & warnings);
 
 /** The first labels of a list, for a message; the report has them all. */
 std::string
 NameLabels(const std::vector<Label> & labels);
 
-/** Adds a warning for cells that touch no other though others are near. \throws std::runtime_error where most do. */
-void
-CheckThatCellsTouch(const JunctionSet & junctions, const ReconstructionOptions & options, TissueInput & input);
-
-/** Reads the image and extracts its junctions.
- * \throws std::runtime_error or itk::ExceptionObject: no such file, not readable, cut off, not three-dimensional, more
- * than one component, not of an integer type, fewer than four cells, an absent exterior label, cells that do not touch.
- */
-TissueInput
-ReadTissue(const ReconstructionOptions & options, ProgressBar & progress);
+/** A warning of cells that touch no other though others are near; nothing where there are none.
+ * \throws std::runtime_error where most cells are such. */
+std::vector<std::string>
+CheckThatCellsTouch(const JunctionSet & junctions, const std::optional<ClosedGaps> & closedGaps);
 } // namespace tissue
 
 #endif

@@ -55,8 +55,14 @@ enum class Remark
   CornersNotFitted,
   /** The cell's volume in a mesh that is fitted to the image is more than 1 % off, as its walls would cross others.
    * Value: as of VolumeOff. */
-  VolumeNotFitted
+  VolumeNotFitted,
+  /** The cell has no triangle in the mesh: CellSurfaceCheck tells, not the reconstruction. */
+  Missing,
+  /** The cell's surface in the mesh is no closed sphere; likewise. Value: its Euler characteristic. */
+  NoClosedSphere
 };
+
+inline constexpr int NumberOfRemarks = static_cast<int>(Remark::NoClosedSphere) + 1;
 
 struct CellRemark
 {
@@ -69,9 +75,13 @@ struct CellRemark
 const char *
 ToString(Remark remark);
 
-/** A sentence for a person, without the cell's label. */
+/** A sentence for a person, without its subject, the cell: "lost 2 walls that the image has". */
 std::string
 Describe(const CellRemark & remark);
+
+/** What several cells have in common, to be put after their number: "without some wall that they have in the image". */
+const char *
+DescribeSeveral(Remark remark);
 
 /** All remarks that follow from the image and the final complex, ascending by cell, then by kind. */
 std::vector<CellRemark>

@@ -12,6 +12,7 @@
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <tuple>
 
@@ -19,6 +20,110 @@ namespace tissue
 {
 namespace
 {
+/** How a remark is said. */
+struct RemarkWords
+{
+  Remark       remark;
+  const char * word;
+  /** {value} is the remark's value, {s} the plural of what it counts. */
+  const char * ofOne;
+  const char * ofSeveral;
+};
+
+/** In the order of the enumeration. */
+constexpr RemarkWords Words[] = {
+  { Remark::SeveralPieces,
+    "severalPieces",
+    "is in several pieces; {value} voxels outside the largest one do not count for its centre",
+    "in several pieces; the largest counts" },
+  { Remark::CutByBorder,
+    "cutByBorder",
+    "lies on the border of the image and may be cut there",
+    "on the border of the image, where they may be cut" },
+  { Remark::Enclosed,
+    "enclosed",
+    "is enclosed in the cell of label {value}; it has false walls in the mesh",
+    "enclosed in one other cell" },
+  { Remark::Separated, "separated", "touches no other cell", "without a neighbour in the image" },
+  { Remark::StrayPart,
+    "strayPart",
+    "is in a small part of the tissue that touches no other; false walls join it to the nearest part",
+    "in small parts that touch no other, joined to the nearest part by false walls" },
+  { Remark::SeparateWalls,
+    "separateWalls",
+    "has several separate walls to each of {value} neighbour{s}; the mesh has one",
+    "with several separate walls to one neighbour in the image; the mesh has one" },
+  { Remark::ExteriorOnTwoSides,
+    "exteriorOnTwoSides",
+    "meets the exterior on two sides, as in a sheet of one layer; the mesh has one",
+    "at the exterior on two sides in the image; the mesh has one" },
+  { Remark::CenterMoved,
+    "centerMoved",
+    "had the same centre as another cell; moved by {value}",
+    "moved, their centre being another cell's too" },
+  { Remark::ExteriorLost,
+    "exteriorLost",
+    "touches the exterior in the image, but not in the mesh",
+    "at the exterior in the image, but not in the mesh" },
+  { Remark::ExteriorGained,
+    "exteriorGained",
+    "touches the exterior in the mesh, but not in the image",
+    "at the exterior in the mesh, but not in the image" },
+  { Remark::WallsLost,
+    "wallsLost",
+    "lost {value} wall{s} that the image has",
+    "without some wall that they have in the image" },
+  { Remark::WallsGained,
+    "wallsGained",
+    "has {value} wall{s} that the image has not",
+    "with some wall that they do not have in the image" },
+  { Remark::VolumeOff,
+    "volumeOff",
+    "has {value} times its volume in the image",
+    "with less than half or more than twice their volume in the image" },
+  { Remark::CornersNotFitted,
+    "cornersNotFitted",
+    "has {value} corner{s} that the image has not",
+    "with corners that the image has not" },
+  { Remark::VolumeNotFitted,
+    "volumeNotFitted",
+    "has {value} times its volume in the image",
+    "more than 1 % off their volume in the image, as their walls cannot move further" },
+  { Remark::Missing, "missing", "is missing from the mesh", "missing from the mesh" },
+  { Remark::NoClosedSphere,
+    "noClosedSphere",
+    "has a surface that is no closed sphere; its Euler characteristic is {value}",
+    "with a surface that is no closed sphere" }
+};
+
+constexpr bool
+EveryRemarkHasItsRow()
+{
+  bool has = std::size(Words) == NumberOfRemarks;
+  for (int row = 0; has && row < NumberOfRemarks; ++row)
+  {
+    has = static_cast<int>(Words[row].remark) == row;
+  }
+  return has;
+}
+static_assert(EveryRemarkHasItsRow());
+
+const RemarkWords &
+WordsOf(Remark remark)
+{
+  return Words[static_cast<std::size_t>(remark)];
+}
+
+void
+Replace(const std::string & mark, const std::string & by, std::string & text)
+{
+  const std::size_t at = text.find(mark);
+  if (at != std::string::npos)
+  {
+    text.replace(at, mark.size(), by);
+  }
+}
+
 /** What the image and the complex say of a cell's walls. */
 struct WallCounts
 {
@@ -183,94 +288,24 @@ CountSurfaceJunctions(const JunctionSet & junctions)
 const char *
 ToString(Remark remark)
 {
-  switch (remark)
-  {
-    case Remark::SeveralPieces:
-      return "severalPieces";
-    case Remark::CutByBorder:
-      return "cutByBorder";
-    case Remark::Enclosed:
-      return "enclosed";
-    case Remark::Separated:
-      return "separated";
-    case Remark::StrayPart:
-      return "strayPart";
-    case Remark::SeparateWalls:
-      return "separateWalls";
-    case Remark::ExteriorOnTwoSides:
-      return "exteriorOnTwoSides";
-    case Remark::CenterMoved:
-      return "centerMoved";
-    case Remark::ExteriorLost:
-      return "exteriorLost";
-    case Remark::ExteriorGained:
-      return "exteriorGained";
-    case Remark::WallsLost:
-      return "wallsLost";
-    case Remark::WallsGained:
-      return "wallsGained";
-    case Remark::VolumeOff:
-      return "volumeOff";
-    case Remark::CornersNotFitted:
-      return "cornersNotFitted";
-    case Remark::VolumeNotFitted:
-      return "volumeNotFitted";
-  }
-  return "unknown";
+  return WordsOf(remark).word;
 }
 
 std::string
 Describe(const CellRemark & remark)
 {
-  std::ostringstream text;
-  switch (remark.remark)
-  {
-    case Remark::SeveralPieces:
-      text << "is in several pieces; " << remark.value << " voxels outside the largest one do not count for its centre";
-      break;
-    case Remark::CutByBorder:
-      text << "lies on the border of the image and may be cut there";
-      break;
-    case Remark::Enclosed:
-      text << "is enclosed in the cell of label " << remark.value << "; it has false walls in the mesh";
-      break;
-    case Remark::Separated:
-      text << "touches no other cell";
-      break;
-    case Remark::StrayPart:
-      text << "is in a small part of the tissue that touches no other; false walls join it to the nearest part";
-      break;
-    case Remark::SeparateWalls:
-      text << "has several separate walls to each of " << remark.value
-           << (remark.value == 1.0 ? " neighbour" : " neighbours") << "; the mesh has one";
-      break;
-    case Remark::ExteriorOnTwoSides:
-      text << "meets the exterior on two sides, as in a sheet of one layer; the mesh has one";
-      break;
-    case Remark::CenterMoved:
-      text << "had the same centre as another cell; moved by " << remark.value;
-      break;
-    case Remark::ExteriorLost:
-      text << "touches the exterior in the image, but not in the mesh";
-      break;
-    case Remark::ExteriorGained:
-      text << "touches the exterior in the mesh, but not in the image";
-      break;
-    case Remark::WallsLost:
-      text << "lost " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has";
-      break;
-    case Remark::WallsGained:
-      text << "has " << remark.value << (remark.value == 1.0 ? " wall" : " walls") << " that the image has not";
-      break;
-    case Remark::CornersNotFitted:
-      text << "has " << remark.value << (remark.value == 1.0 ? " corner" : " corners") << " that the image has not";
-      break;
-    case Remark::VolumeOff:
-    case Remark::VolumeNotFitted:
-      text << "has " << remark.value << " times its volume in the image";
-      break;
-  }
-  return text.str();
+  std::ostringstream value;
+  value << remark.value;
+  std::string text = WordsOf(remark.remark).ofOne;
+  Replace("{value}", value.str(), text);
+  Replace("{s}", remark.value == 1.0 ? "" : "s", text);
+  return text;
+}
+
+const char *
+DescribeSeveral(Remark remark)
+{
+  return WordsOf(remark).ofSeveral;
 }
 
 std::vector<CellRemark>

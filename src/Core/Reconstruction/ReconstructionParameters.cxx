@@ -6,26 +6,12 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 
-#include <cmath>
-#include <sstream>
+#include "TissueTessellationCore/Reconstruction/ParameterTable.h"
+
 #include <stdexcept>
 
 namespace tissue
 {
-namespace
-{
-void
-CheckRange(const char * name, double value, double least, double most)
-{
-  if (!(value >= least && value <= most))
-  {
-    std::ostringstream message;
-    message << name << " is " << value << ", must be in " << least << " .. " << most;
-    throw std::invalid_argument(message.str());
-  }
-}
-} // namespace
-
 ReconstructionParameters::ReconstructionParameters()
 {
   // The image tells the neighbours: the terms without it only pull away from what it shows.
@@ -80,22 +66,13 @@ ReconstructionParameters::PaperPointsPreset()
 void
 ReconstructionParameters::Check() const
 {
-  constexpr double large = 1e6;
-  CheckRange("maximumEdgeLength", maximumEdgeLength, 0.0, 1e12);
-  CheckRange("maximumEdgeLengthFactor", maximumEdgeLengthFactor, 0.1, large);
-  CheckRange("adjacencyWeight", energy.adjacencyWeight, 0.0, large);
-  CheckRange("neighborWeight", energy.neighborWeight, 0.0, large);
-  CheckRange("lengthWeight", energy.lengthWeight, 0.0, large);
-  CheckRange("unitLength", energy.unitLength, energy.unitLength == 0.0 ? 0.0 : 1e-12, 1e12);
-  CheckRange("delaunayWeight", energy.delaunayWeight, 0.0, large);
-  CheckRange("epidermalNeighbors", energy.epidermalNeighbors, 1.0, 100.0);
-  CheckRange("innerNeighbors", energy.innerNeighbors, 1.0, 100.0);
-  CheckRange("numberOfCycles", annealing.numberOfCycles, 0.0, 1000.0);
-  CheckRange("initialTemperature", annealing.initialTemperature, 1e-9, large);
-  CheckRange("coolingFactor", annealing.coolingFactor, 1e-9, 1.0);
-  CheckRange("maximumDegree", annealing.maximumDegree, 3.0, large);
-  CheckRange("trianglesPerCell", trianglesPerCell, 40.0, 10000.0);
-  CheckRange("refinement", refinement, 0.0, 3.0);
-  CheckRange("smoothingIterations", smoothingIterations, 0.0, 10000.0);
+  for (const Parameter & parameter : GetParameterTable())
+  {
+    const std::string fault = FindFault(parameter, *this);
+    if (!fault.empty())
+    {
+      throw std::invalid_argument(parameter.name + ' ' + fault);
+    }
+  }
 }
 } // namespace tissue

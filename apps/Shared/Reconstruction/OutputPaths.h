@@ -1,0 +1,51 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef OutputPaths_h
+#define OutputPaths_h
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace tissue
+{
+/** The files that are made of a reconstruction; empty: not asked for. */
+struct OutputPaths
+{
+  std::string walls;
+  std::string complex;
+  std::string cells;
+  std::string statistics;
+  std::string junctions;
+  std::string report;
+  std::string picture;
+
+  struct Output
+  {
+    std::string path;
+    /** In words. */
+    std::string content;
+  };
+
+  /** All that are asked for. */
+  std::vector<Output>
+  List() const;
+};
+
+/** The mesh of the walls, required, and all further outputs. */
+void
+AddOutputOptions(CLI::App & app, OutputPaths & paths);
+
+/** \brief Throws std::runtime_error for everything that would make the outputs impossible, before the work.
+ *
+ * \param inputs the files that are read, some of which may be empty. */
+void
+RequireOutputs(const OutputPaths & paths, const std::vector<std::string> & inputs);
+} // namespace tissue
+
+#endif

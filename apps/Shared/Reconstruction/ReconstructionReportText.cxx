@@ -1,0 +1,162 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Shared/Reconstruction/ReconstructionReport.h"
+
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <tuple>
+
+namespace tissue
+{
+namespace
+{
+void
+PrintEvaluation(const StageEvaluation & evaluation, std::ostream & stream)
+{
+  stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4: " << std::fixed
+         << std::setprecision(4);
+  const auto stage = [&stream](const char * name, const AdjacencyOverlap & overlap, const char * end) {
+    stream << name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << end;
+  };
+  stage("Delaunay", evaluation.delaunay, ", ");
+  stage("cleaned", evaluation.cleaned, ", ");
+  stage("optimized", evaluation.optimized, "\n");
+}
+
+void
+PrintStages(const TissueReconstruction & r, bool hasLabelImage, std::ostream & stream)
+{
+  const char * const agreement = hasLabelImage ? " adjacency2 adjacency4" : "";
+  if (hasLabelImage)
+  {
+    stream << "Agreement with the image, 1 at best: adjacency2 by pairs of neighbours, adjacency4 by corners of four "
+              "cells\n";
+  }
+  stream << "           " << agreement << "  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
+         << std::fixed;
+  const auto row = [&](const char * name, const ReconstructionStage & stage) {
+    const ComplexStatistics & s = stage.statistics;
+    stream << std::left << std::setw(11) << name << std::right;
+    if (hasLabelImage)
+    {
+      stream << std::setprecision(4) << std::setw(11) << s.adjacency2 << std::setw(11) << s.adjacency4;
+    }
+    stream << std::setprecision(3) << std::setw(15) << s.neighborhoodError << std::setw(14) << s.eccentricity
+           << std::setprecision(1) << std::setw(12) << s.minimalDihedralAngle << std::setw(12) << s.maximalDihedralAngle
+           << std::setprecision(3) << std::setw(10) << stage.seconds << '\n';
+  };
+  row("Delaunay", r.delaunay);
+  row("cleaned", r.cleaned);
+  row("optimized", r.optimized);
+}
+
+void
+PrintRemarks(const ReconstructionReport & report, std::ostream & stream)
+{
+  // By their words, so that the order is that of the alphabet.
+  std::map<std::string, std::vector<CellRemark>> remarksOfWord;
+  for (const CellRemark & remark : CollectAllRemarks(report))
+  {
+    remarksOfWord[ToString(remark.remark)].push_back(remark);
+  }
+  if (!remarksOfWord.empty())
+  {
+    stream << "Cells with remarks (all of them, by label, in --report):\n";
+  }
+  for (const auto & [word, remarks] : remarksOfWord)
+  {
+    std::vector<VertexId> cells;
+    for (const CellRemark & remark : remarks)
+    {
+      cells.push_back(remark.cell);
+    }
+    stream << std::setw(7) << cells.size() << ' ' << DescribeSeveral(remarks.front().remark) << ": "
+           << NameLabels(LabelsOf(cells, report.GetCells())) << '\n';
+  }
+}
+
+void
+PrintInput(const ReconstructionReport & report, std::ostream & stream)
+{
+  const TissueInput & input = report.input;
+  stream << input.file << ": ";
+  if (input.numberOfPoints > 0)
+  {
+    stream << input.numberOfPoints << " points; ";
+  }
+  if (report.HasVoxels())
+  {
+    const auto & [size, spacing] = std::tie(input.image.size, input.image.spacing);
+    stream << size[0] << " x " << size[1] << " x " << size[2] << " voxels of " << spacing[0] << " x " << spacing[1]
+           << " x " << spacing[2] << ", ";
+  }
+  stream << report.GetCells().size() - 1 << " cells, exterior label " << input.extracted.exteriorLabel << '\n';
+  if (input.closedGaps)
+  {
+    stream << "Gaps up to a width of " << input.closedGaps->width << " closed: " << input.closedGaps->numberOfVoxels
+           << " voxels given to cells, at most " << input.closedGaps->largestDistance << " away\n";
+  }
+}
+
+void
+PrintMesh(const ReconstructionReport & report, std::ostream & stream)
+{
+  const TissueReconstruction & reconstruction = report.GetReconstruction();
+  const WallMesh &             mesh = reconstruction.walls;
+  const CellSurfaceCheck &     check = report.tissue.check;
+  const std::size_t            numberOfCells = report.GetCells().size() - 1;
+  stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
+         << " triangles, " << std::setprecision(1)
+         << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n";
+  if (reconstruction.numberOfParts > 1)
+  {
+    stream << "Parts of the tissue that share no junction: " << reconstruction.numberOfParts << '\n';
+  }
+  if (reconstruction.numberOfVoids > 0)
+  {
+    stream << "Voids enclosed in the tissue: " << reconstruction.numberOfVoids << '\n';
+  }
+  stream << "Cells that are closed spheres: "
+         << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
+         << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';
+}
+} // namespace
+
+void
+Print(const ReconstructionReport & report, const OutputPaths & outputs, std::ostream & stream)
+{
+  PrintInput(report, stream);
+  PrintStages(report.GetReconstruction(), report.HasLabelImage(), stream);
+  if (report.evaluation)
+  {
+    PrintEvaluation(*report.evaluation, stream);
+  }
+  PrintMesh(report, stream);
+  PrintRemarks(report, stream);
+  const char * separator = "Written: ";
+  for (const auto & [path, content] : outputs.List())
+  {
+    stream << separator << path << " (" << content << ')';
+    separator = ", ";
+  }
+  stream << '\n';
+}
+
+void
+Say(const ReconstructionReport & report, const OutputPaths & outputs, bool isQuiet)
+{
+  for (const std::string & warning : CollectWarnings(report))
+  {
+    std::cerr << report.program << ": warning: " << warning << '\n';
+  }
+  if (!isQuiet)
+  {
+    Print(report, outputs, std::cout);
+  }
+}
+} // namespace tissue

@@ -1,0 +1,42 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "TissueTessellationCore/Reconstruction/CellRemark.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace
+{
+using namespace tissue;
+} // namespace
+
+TEST(CellRemark, HasWordsOfEveryRemark)
+{
+  std::set<std::string> words;
+  for (int i = 0; i < NumberOfRemarks; ++i)
+  {
+    const auto        remark = static_cast<Remark>(i);
+    const std::string sentence = Describe({ 1, remark, 3.0 });
+    EXPECT_TRUE(words.insert(ToString(remark)).second) << ToString(remark);
+    EXPECT_FALSE(std::string(ToString(remark)).empty()) << i;
+    EXPECT_FALSE(sentence.empty()) << ToString(remark);
+    EXPECT_EQ(sentence.find_first_of("{}"), std::string::npos) << sentence;
+    EXPECT_FALSE(std::string(DescribeSeveral(remark)).empty()) << ToString(remark);
+  }
+}
+
+TEST(CellRemark, SaysItsValueInTheSingularAndThePlural)
+{
+  EXPECT_EQ(Describe({ 1, Remark::WallsLost, 1.0 }), "lost 1 wall that the image has");
+  EXPECT_EQ(Describe({ 1, Remark::WallsLost, 2.0 }), "lost 2 walls that the image has");
+  EXPECT_EQ(Describe({ 1, Remark::SeparateWalls, 1.0 }),
+            "has several separate walls to each of 1 neighbour; the mesh has one");
+  EXPECT_EQ(Describe({ 1, Remark::VolumeOff, 0.25 }), "has 0.25 times its volume in the image");
+  EXPECT_EQ(Describe({ 1, Remark::NoClosedSphere, -4.0 }),
+            "has a surface that is no closed sphere; its Euler characteristic is -4");
+}
