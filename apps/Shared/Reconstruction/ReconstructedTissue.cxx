@@ -15,8 +15,8 @@ namespace tissue
 namespace
 {
 itk::CellWallMesh::Pointer
-MakeMesh(const TissueInput & input, itk::TissueLabelVolume::Pointer volume,
-         const ReconstructionParameters & parameters, ProgressBar & progress)
+MakeMesh(const TissueInput & input, itk::TissueLabelVolume::Pointer volume, const ReconstructionParameters & parameters,
+         ProgressBar & progress)
 {
   const auto filter = itk::JunctionsToCellWallMeshFilter::New();
   filter->SetInput(input.extracted.junctions);

@@ -6,8 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
-#include "Common/Algorithms.h"
 #include "Adjacency/ReferenceAdjacency.h"
+#include "Common/Algorithms.h"
 #include "Complex/AdjacencyComplex.h"
 
 #include <algorithm>
