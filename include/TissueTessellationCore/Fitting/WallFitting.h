@@ -13,8 +13,8 @@
 namespace tissue
 {
 class AdjacencyComplex;
+class NumberedVolume;
 struct JunctionSet;
-struct LabelVolume;
 
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
@@ -34,12 +34,13 @@ struct WallFittingStatistics
  * smoothed indicators of their cells are equal (IndicatorField), the cells at their volumes, and no two triangles
  * crossing unless the statistics say so.
  *
- * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in spatial order.
+ * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in the order of
+ * AdjacencyComplex::GetEdges(). Takes longer where vertices with near numbers are far apart in the tissue.
  * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
  * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
  * `execution`. \throws Aborted where `execution` asks to stop. */
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
          const Execution & execution = Execution());
 } // namespace tissue
