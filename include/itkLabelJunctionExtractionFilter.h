@@ -87,7 +87,8 @@ public:
   const OutputType *
   GetOutput() const;
 
-  /** The second output; empty unless GenerateLabelVolume is on. */
+  /** The second output, by name ("LabelVolume"), as it is beside the one that the filter is for; empty unless
+   * GenerateLabelVolume is on. */
   TissueLabelVolume *
   GetLabelVolume();
   const TissueLabelVolume *
@@ -114,6 +115,8 @@ public:
   using Superclass::MakeOutput;
   ProcessObject::DataObjectPointer
   MakeOutput(ProcessObject::DataObjectPointerArraySizeType index) override;
+  ProcessObject::DataObjectPointer
+  MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
 
 protected:
   LabelJunctionExtractionFilter();

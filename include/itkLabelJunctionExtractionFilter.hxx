@@ -36,9 +36,9 @@ LabelJunctionExtractionFilter<TLabelImage>::LabelJunctionExtractionFilter()
   static_assert(LabelImageType::ImageDimension == 3, "A tissue is an image in three dimensions.");
   static_assert(std::is_integral<LabelPixelType>::value, "Labels are integers.");
   this->SetNumberOfRequiredInputs(1);
-  this->SetNumberOfRequiredOutputs(2);
+  this->SetNumberOfRequiredOutputs(1);
   this->SetNthOutput(0, this->MakeOutput(0));
-  this->SetNthOutput(1, this->MakeOutput(1));
+  this->ProcessObject::SetOutput("LabelVolume", this->MakeOutput("LabelVolume"));
 }
 
 template <typename TLabelImage>
@@ -74,25 +74,32 @@ template <typename TLabelImage>
 TissueLabelVolume *
 LabelJunctionExtractionFilter<TLabelImage>::GetLabelVolume()
 {
-  return itkDynamicCastInDebugMode<TissueLabelVolume *>(this->ProcessObject::GetOutput(1));
+  return itkDynamicCastInDebugMode<TissueLabelVolume *>(this->ProcessObject::GetOutput("LabelVolume"));
 }
 
 template <typename TLabelImage>
 const TissueLabelVolume *
 LabelJunctionExtractionFilter<TLabelImage>::GetLabelVolume() const
 {
-  return itkDynamicCastInDebugMode<const TissueLabelVolume *>(this->ProcessObject::GetOutput(1));
+  return itkDynamicCastInDebugMode<const TissueLabelVolume *>(this->ProcessObject::GetOutput("LabelVolume"));
 }
 
 template <typename TLabelImage>
 ProcessObject::DataObjectPointer
-LabelJunctionExtractionFilter<TLabelImage>::MakeOutput(ProcessObject::DataObjectPointerArraySizeType index)
+LabelJunctionExtractionFilter<TLabelImage>::MakeOutput(ProcessObject::DataObjectPointerArraySizeType)
 {
-  if (index == 1)
+  return OutputType::New().GetPointer();
+}
+
+template <typename TLabelImage>
+ProcessObject::DataObjectPointer
+LabelJunctionExtractionFilter<TLabelImage>::MakeOutput(const ProcessObject::DataObjectIdentifierType & name)
+{
+  if (name == "LabelVolume")
   {
     return TissueLabelVolume::New().GetPointer();
   }
-  return OutputType::New().GetPointer();
+  return Superclass::MakeOutput(name);
 }
 
 template <typename TLabelImage>

@@ -57,6 +57,21 @@ class LabelJunctionExtractionFilterTest(unittest.TestCase):
         labels = itk.array_from_vector_container(mesh.GetTriangleLabels()).reshape(-1, 2)
         np.testing.assert_array_equal(np.unique(labels), np.union1d(self.cells, [EXTERIOR]))
 
+    def test_label_volume_of_the_extraction_fits_the_walls(self):
+        extraction = itk.LabelJunctionExtractionFilter.New(to_itk(self.image))
+        extraction.Update()
+        self.assertEqual(extraction.GetLabelVolume().GetNumberOfVoxels(), 0)
+        extraction.GenerateLabelVolumeOn()
+        points = []
+        for volume in (None, extraction.GetLabelVolume()):
+            reconstruction = itk.JunctionsToCellWallMeshFilter.New(extraction.GetOutput(), refinement=0)
+            if volume is not None:
+                reconstruction.SetLabelVolume(volume)
+            reconstruction.Update()
+            points.append(itk.array_from_vector_container(reconstruction.GetOutput().GetPointCoordinates()))
+        self.assertEqual(extraction.GetLabelVolume().GetNumberOfVoxels(), self.image.size)
+        self.assertFalse(np.array_equal(*points))
+
     def test_options_and_errors_reach_python(self):
         extraction = itk.LabelJunctionExtractionFilter.New(to_itk(self.image), exterior_label=10)
         extraction.Update()

@@ -13,8 +13,8 @@
 namespace tissue
 {
 class AdjacencyComplex;
+class NumberedVolume;
 struct JunctionSet;
-struct LabelVolume;
 
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
@@ -35,13 +35,14 @@ struct WallFittingStatistics
  * Corners, triple lines and walls go to where the smoothed indicators of their cells are equal (IndicatorField), and
  * the cells get their volumes. No two triangles cross unless the statistics say so.
  *
- * The first points of the mesh are the corners, in the order of AdjacencyComplex::GetTetrahedra(); the walls are in
- * spatial order. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls
- * are the stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from
- * the image (TriangulateFarOutlines()). The result is the same for any `execution`.
+ * The first points of the mesh are the corners, in the order of AdjacencyComplex::GetTetrahedra(); the walls are in the
+ * order of AdjacencyComplex::GetEdges(). The fit takes longer where vertices with near numbers are far apart in the
+ * tissue. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls are the
+ * stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from the image
+ * (TriangulateFarOutlines()). The result is the same for any `execution`.
  * \throws Aborted where `execution` asks to stop. */
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
          const Execution & execution = Execution());
 } // namespace tissue
