@@ -31,6 +31,10 @@ public:
   Point
   Normal(VertexId vertex) const;
 
+  /** Those of all vertices. */
+  std::vector<Point>
+  Normals() const;
+
   /** For the edge from the exterior to `vertex`: at the mean distance of the edge's ring. */
   Point
   OfExteriorEdge(VertexId vertex) const;
