@@ -46,7 +46,7 @@ struct SymmetricEigen
   std::array<Point, 3>  vectors;
 };
 
-/** By Jacobi's rotations; the matrix need not be definite. */
+/** The matrix need not be definite. */
 SymmetricEigen
 DecomposeSymmetric(const Metric & matrix);
 

@@ -30,6 +30,17 @@ RelativeExterior::Normal(VertexId vertex) const
   return Normalized(sum);
 }
 
+std::vector<Point>
+RelativeExterior::Normals() const
+{
+  std::vector<Point> normals(m_Centers.size(), Point{ { 0.0, 0.0, 0.0 } });
+  for (VertexId v = ExteriorVertex + 1; v < m_Complex.NumberOfVertices(); ++v)
+  {
+    normals[v] = this->Normal(v);
+  }
+  return normals;
+}
+
 Point
 RelativeExterior::OfExteriorEdge(VertexId vertex) const
 {

@@ -31,6 +31,10 @@ public:
   Point
   Normal(VertexId vertex) const;
 
+  /** Gives the normals of all vertices. */
+  std::vector<Point>
+  Normals() const;
+
   /** Places the exterior for the edge from it to `vertex`: as far from the vertex as the edge's ring is in the mean. */
   Point
   OfExteriorEdge(VertexId vertex) const;

@@ -48,12 +48,7 @@ EstimateDepths(const AdjacencyComplex & complex, const std::vector<Point> & cent
 void
 LiftSurfaceCorners(const AdjacencyComplex & complex, const std::vector<Point> & centers, std::vector<Point> & corners)
 {
-  const RelativeExterior exterior(complex, centers);
-  std::vector<Point>     normals(centers.size(), Point{ { 0.0, 0.0, 0.0 } });
-  for (std::size_t v = ExteriorVertex + 1; v < centers.size(); ++v)
-  {
-    normals[v] = exterior.Normal(static_cast<VertexId>(v));
-  }
+  const std::vector<Point>           normals = RelativeExterior(complex, centers).Normals();
   const std::vector<double>          depths = EstimateDepths(complex, centers, normals);
   const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
   for (std::size_t i = 0; i < tetrahedra.size(); ++i)

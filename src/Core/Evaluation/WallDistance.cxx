@@ -7,6 +7,7 @@
 #include "TissueTessellationCore/Evaluation/WallDistance.h"
 
 #include "Image/ImagePlaces.h"
+#include "Mesh/WallPieces.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <cmath>
@@ -23,17 +24,9 @@ MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const Lab
     double distance = 0.0;
     double falseArea = 0.0;
   };
-  const ImagePlaces        faces = CollectImageFaces(labels, CellsOfWalls(walls));
-  std::vector<std::size_t> first(walls.walls.size() + 1, 0); // triangles of a wall are consecutive
-  for (const WallId wall : walls.wallOfTriangle)
-  {
-    ++first[static_cast<std::size_t>(wall) + 1];
-  }
-  for (std::size_t w = 0; w < walls.walls.size(); ++w)
-  {
-    first[w + 1] += first[w];
-  }
-  std::vector<Sums> sumsOfWall(walls.walls.size());
+  const ImagePlaces              faces = CollectImageFaces(labels, CellsOfWalls(walls));
+  const std::vector<std::size_t> first = FirstTrianglesOfWalls(walls);
+  std::vector<Sums>              sumsOfWall(walls.walls.size());
   execution.For(walls.walls.size(), [&](std::size_t w) {
     const PlaceTree       places(faces.Begin(w), faces.End(w));
     const AreaAndDistance sums = IntegrateDistance(walls.points, walls.triangles, first[w], first[w + 1], places);

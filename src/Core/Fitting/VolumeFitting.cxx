@@ -6,15 +6,16 @@
  *=========================================================================*/
 #include "Fitting/VolumeFitting.h"
 
+#include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
-#include <functional>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace tissue
 {
@@ -27,61 +28,44 @@ constexpr double Damping = 1e-3;
 /** How the volume of a cell changes with a point. */
 struct VolumeGradient
 {
-  VertexId cell;
-  Point    gradient;
+  VertexId cell = ExteriorVertex;
+  Point    gradient{ { 0.0, 0.0, 0.0 } };
 };
 
-/** Those of a point are at [first[p], first[p] + count[p]). */
-struct VolumeGradients
+/** Those of each point, in a place for each cell there; those of the exterior are zero. */
+using VolumeGradients = CompressedRows<VolumeGradient>;
+
+void
+Add(VolumeGradients & gradients, PointId p, VertexId cell, const Point & gradient)
 {
-  std::vector<std::size_t>    first;
-  std::vector<std::uint8_t>   count;
-  std::vector<VolumeGradient> all;
-
-  template <typename TVisitor>
-  void
-  VisitPoint(std::size_t p, const TVisitor & visit) const
+  if (cell == ExteriorVertex)
   {
-    std::for_each_n(all.begin() + static_cast<std::ptrdiff_t>(first[p]), count[p], visit);
+    return;
   }
-
-  void
-  Add(PointId p, VertexId cell, const Point & gradient)
+  for (VolumeGradient & place : gradients[static_cast<std::size_t>(p)])
   {
-    if (cell == ExteriorVertex)
+    if (place.cell == cell || place.cell == ExteriorVertex)
     {
+      place = { cell, place.gradient + gradient };
       return;
     }
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first[p]);
-    const auto end = begin + count[p];
-    const auto at = std::find_if(begin, end, [cell](const VolumeGradient & g) { return g.cell == cell; });
-    if (at != end)
-    {
-      at->gradient = at->gradient + gradient;
-      return;
-    }
-    if (first[p] + count[p] == first[p + 1])
-    {
-      throw std::invalid_argument("FitVolumes: more cells meet at point " + std::to_string(p) +
-                                  " than the mesh's numberOfCells tells");
-    }
-    *end = { cell, gradient };
-    ++count[p];
   }
-};
+  throw std::invalid_argument("FitVolumes: more cells meet at point " + std::to_string(p) +
+                              " than the mesh's numberOfCells tells");
+}
 
 VolumeGradients
 CollectGradients(const WallMesh & mesh)
 {
-  VolumeGradients gradients;
-  gradients.first.resize(mesh.points.size() + 1, 0);
-  std::inclusive_scan(mesh.numberOfCells.begin(),
-                      mesh.numberOfCells.end(),
-                      gradients.first.begin() + 1,
-                      std::plus<std::size_t>(),
-                      std::size_t{ 0 });
-  gradients.count.resize(mesh.points.size(), 0);
-  gradients.all.resize(gradients.first.back());
+  VolumeGradients gradients(mesh.points.size(), [&mesh](const auto & add) {
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      for (int cell = 0; cell < mesh.numberOfCells[p]; ++cell)
+      {
+        add(p, VolumeGradient());
+      }
+    }
+  });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto &       triangle = mesh.triangles[t];
@@ -92,126 +76,48 @@ CollectGradients(const WallMesh & mesh)
       const Point   g =
         (1.0 / 6.0) * Cross(mesh.points[triangle[(i + 1) % 3]] - p, mesh.points[triangle[(i + 2) % 3]] - p);
       // A third of the triangle's area: what is left of the cone's derivative once the surface is closed.
-      gradients.Add(triangle[i], cells[0], g);
-      gradients.Add(triangle[i], cells[1], -1.0 * g);
+      Add(gradients, triangle[i], cells[0], g);
+      Add(gradients, triangle[i], cells[1], -1.0 * g);
     }
   }
   return gradients;
 }
 
-/** How the volume of each cell changes with the pressure in each: a symmetric matrix, sparse as cells have few
- * neighbours. */
-class PressureMatrix
+/** How the volume of each cell changes with the pressure in each: a symmetric matrix, of which only the lower half is
+ * kept, sparse as cells have few neighbours. */
+Eigen::SparseMatrix<double>
+MakePressureMatrix(std::size_t numberOfVertices, const VolumeGradients & gradients)
 {
-public:
-  PressureMatrix(std::size_t numberOfVertices, const VolumeGradients & gradients)
-    : m_Diagonal(numberOfVertices, 0.0)
-    , m_Upper(numberOfVertices)
+  std::vector<Eigen::Triplet<double>> entries;
+  // Most points are within a wall, of two cells.
+  entries.reserve(numberOfVertices + 2 * gradients.Items().size());
+  for (std::size_t c = 0; c < numberOfVertices; ++c)
   {
-    for (std::size_t p = 0; p < gradients.count.size(); ++p)
-    {
-      gradients.VisitPoint(p, [&](const VolumeGradient & a) {
-        gradients.VisitPoint(p, [&](const VolumeGradient & b) {
-          if (a.cell <= b.cell)
-          {
-            this->Add(a.cell, b.cell, Dot(a.gradient, b.gradient));
-          }
-        });
-      });
-    }
+    entries.emplace_back(static_cast<VertexId>(c), static_cast<VertexId>(c), 0.0);
   }
-
-  double
-  Diagonal(std::size_t cell) const
+  for (std::size_t p = 0; p < gradients.NumberOfRows(); ++p)
   {
-    return m_Diagonal[cell] > 0.0 ? m_Diagonal[cell] : 1.0;
-  }
-
-  /** With the diagonal a little larger, as volumes of cells that enclose each other depend on each other. */
-  std::vector<double>
-  TimesDamped(const std::vector<double> & pressures) const
-  {
-    std::vector<double> changes(pressures.size());
-    for (std::size_t a = 0; a < pressures.size(); ++a)
+    for (const VolumeGradient & a : gradients[p])
     {
-      changes[a] = (m_Diagonal[a] + Damping * this->Diagonal(a)) * pressures[a];
-    }
-    for (std::size_t a = 0; a < pressures.size(); ++a)
-    {
-      for (const auto & [b, value] : m_Upper[a])
+      for (const VolumeGradient & b : gradients[p])
       {
-        changes[a] += value * pressures[b];
-        changes[b] += value * pressures[a];
+        if (b.cell <= a.cell && b.cell != ExteriorVertex)
+        {
+          entries.emplace_back(a.cell, b.cell, Dot(a.gradient, b.gradient));
+        }
       }
     }
-    return changes;
   }
-
-private:
-  void
-  Add(VertexId a, VertexId b, double value)
+  Eigen::SparseMatrix<double> matrix(static_cast<VertexId>(numberOfVertices), static_cast<VertexId>(numberOfVertices));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  // The diagonal a little larger, as volumes of cells that enclose each other depend on each other. It is zero for what
+  // has no walls, the exterior for one, whose pressure does not matter.
+  for (VertexId c = 0; c < matrix.rows(); ++c)
   {
-    if (a == b)
-    {
-      m_Diagonal[a] += value;
-      return;
-    }
-    auto &     row = m_Upper[a];
-    const auto at = std::find_if(row.begin(), row.end(), [b](const auto & entry) { return entry.first == b; });
-    if (at != row.end())
-    {
-      at->second += value;
-    }
-    else
-    {
-      row.emplace_back(b, value);
-    }
+    double & diagonal = matrix.coeffRef(c, c);
+    diagonal = diagonal > 0.0 ? (1.0 + Damping) * diagonal : 1.0;
   }
-
-  std::vector<double>                                   m_Diagonal;
-  std::vector<std::vector<std::pair<VertexId, double>>> m_Upper;
-};
-
-double
-Product(const std::vector<double> & a, const std::vector<double> & b)
-{
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/** By conjugate gradients, preconditioned by the diagonal. */
-std::vector<double>
-SolveForPressures(const PressureMatrix & matrix, std::vector<double> residual)
-{
-  const std::size_t   n = residual.size();
-  std::vector<double> pressures(n, 0.0);
-  std::vector<double> scaled(n);
-  const auto          precondition = [&]() {
-    for (std::size_t c = 0; c < n; ++c)
-    {
-      scaled[c] = residual[c] / matrix.Diagonal(c);
-    }
-    return Product(scaled, residual);
-  };
-  double              rho = precondition();
-  const double        goal = Tolerance * Tolerance * rho;
-  std::vector<double> direction = scaled;
-  for (int iteration = 0; iteration < MaximumIterations && rho > goal; ++iteration)
-  {
-    const std::vector<double> product = matrix.TimesDamped(direction);
-    const double              step = rho / Product(direction, product);
-    for (std::size_t c = 0; c < n; ++c)
-    {
-      pressures[c] += step * direction[c];
-      residual[c] -= step * product[c];
-    }
-    const double old = rho;
-    rho = precondition();
-    for (std::size_t c = 0; c < n; ++c)
-    {
-      direction[c] = scaled[c] + rho / old * direction[c];
-    }
-  }
-  return pressures;
+  return matrix;
 }
 } // namespace
 
@@ -220,17 +126,25 @@ FitVolumes(WallMesh & mesh, const std::vector<double> & volumes, double largestS
 {
   const VolumeGradients     gradients = CollectGradients(mesh);
   const std::vector<double> current = ComputeVolumes(mesh, volumes.size());
-  std::vector<double>       wanted(volumes.size(), 0.0);
+  Eigen::VectorXd           wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(volumes.size()));
   for (std::size_t c = ExteriorVertex + 1; c < volumes.size(); ++c)
   {
     const double cap = largestShare * volumes[c];
-    wanted[c] = volumes[c] > 0.0 ? std::clamp(volumes[c] - current[c], -cap, cap) : 0.0;
+    wanted[static_cast<Eigen::Index>(c)] = volumes[c] > 0.0 ? std::clamp(volumes[c] - current[c], -cap, cap) : 0.0;
   }
-  const std::vector<double> pressures = SolveForPressures(PressureMatrix(volumes.size(), gradients), wanted);
+  // Preconditioned by the diagonal.
+  const Eigen::SparseMatrix<double>                     matrix = MakePressureMatrix(volumes.size(), gradients);
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>> solver;
+  solver.setMaxIterations(MaximumIterations);
+  solver.setTolerance(Tolerance);
+  solver.compute(matrix);
+  const Eigen::VectorXd pressures = solver.solve(wanted);
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
-    gradients.VisitPoint(
-      p, [&](const VolumeGradient & g) { mesh.points[p] = mesh.points[p] + pressures[g.cell] * g.gradient; });
+    for (const VolumeGradient & g : gradients[p])
+    {
+      mesh.points[p] = mesh.points[p] + pressures[g.cell] * g.gradient;
+    }
   }
 }
 } // namespace tissue

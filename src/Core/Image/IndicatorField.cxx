@@ -8,6 +8,8 @@
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 
 namespace tissue
@@ -20,6 +22,8 @@ constexpr int NumberOfNewtonSteps = 8;
 /** The least indicator, of 0 .. 1, by which a cell is near a point. With less, its voxels are at the rim of the
  * spline's support, where the gradient says little about the place of the cell's boundary. */
 constexpr double LeastIndicator = 0.01;
+/** In shares of the trace of the equations' matrix. */
+constexpr double Damping = 1e-3;
 
 /** The four voxels along an axis that the cubic B-spline weighs at a coordinate, from the index `first` on. */
 struct Spline
@@ -47,42 +51,18 @@ SplineAt(double x)
   return spline;
 }
 
-/** Solves a x = b in place for a symmetric positive semidefinite matrix and one to three unknowns; x replaces b.
- *
- * A thousandth of the trace is added to the diagonal, which keeps the solution short where the gradients are nearly
- * dependent. Then follows Gaussian elimination; a positive definite matrix needs no pivots. */
-void
-SolveDamped(std::array<std::array<double, 3>, 3> & a, std::array<double, 3> & b, int n)
+/** Finds the least move that takes away the residuals, to first order and slightly damped, which keeps it short where
+ * the gradients are nearly dependent. Each row is the gradient of an equation, or zero where there are fewer than three,
+ * with a residual of zero. */
+Point
+SolveDamped(const Eigen::Matrix3d & rows, const Eigen::Vector3d & residual)
 {
-  double trace = 0.0;
-  for (int i = 0; i < n; ++i)
-  {
-    trace += a[i][i];
-  }
-  for (int i = 0; i < n; ++i)
-  {
-    a[i][i] += 1e-3 * trace;
-  }
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = i + 1; j < n; ++j)
-    {
-      const double factor = a[j][i] / a[i][i];
-      for (int k = i; k < n; ++k)
-      {
-        a[j][k] -= factor * a[i][k];
-      }
-      b[j] -= factor * b[i];
-    }
-  }
-  for (int i = n - 1; i >= 0; --i)
-  {
-    for (int k = i + 1; k < n; ++k)
-    {
-      b[i] -= a[i][k] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
+  Eigen::Matrix3d matrix = rows * rows.transpose();
+  // This makes zero rows equations of their own, which change nothing.
+  matrix.diagonal().array() += Damping * matrix.trace();
+  // The damping bounds the condition number: of so small a matrix the inverse is exact enough, and fast.
+  const Eigen::Vector3d move = rows.transpose() * (matrix.inverse() * residual);
+  return { { move[0], move[1], move[2] } };
 }
 } // namespace
 
@@ -155,9 +135,9 @@ IndicatorField::Project(Point & point, const VertexQuadruple & cells, int count,
   Point     p = point;
   for (int step = 0; step < NumberOfNewtonSteps; ++step)
   {
-    const Sample          sample = this->Evaluate(p, cells, count);
-    std::array<Point, 3>  rows;
-    std::array<double, 3> residual{};
+    const Sample    sample = this->Evaluate(p, cells, count);
+    Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d residual = Eigen::Vector3d::Zero();
     for (int c = 0; c < count; ++c)
     {
       if (sample.values[c] < LeastIndicator)
@@ -167,23 +147,11 @@ IndicatorField::Project(Point & point, const VertexQuadruple & cells, int count,
     }
     for (int e = 0; e < equations; ++e)
     {
-      rows[e] = sample.gradients[e + 1] - sample.gradients[0];
+      const Point gradient = sample.gradients[e + 1] - sample.gradients[0];
+      rows.row(e) << gradient[0], gradient[1], gradient[2];
       residual[e] = sample.values[0] - sample.values[e + 1];
     }
-    std::array<std::array<double, 3>, 3> matrix{};
-    for (int e = 0; e < equations; ++e)
-    {
-      for (int f = 0; f < equations; ++f)
-      {
-        matrix[e][f] = Dot(rows[e], rows[f]);
-      }
-    }
-    SolveDamped(matrix, residual, equations);
-    Point move{ { 0.0, 0.0, 0.0 } };
-    for (int e = 0; e < equations; ++e)
-    {
-      move = move + residual[e] * rows[e];
-    }
+    const Point  move = SolveDamped(rows, residual);
     const double length = this->LengthInVoxels(move);
     if (!std::isfinite(length))
     {

@@ -20,14 +20,12 @@ FirstTrianglesOfWalls(const WallMesh & mesh)
   {
     throw std::invalid_argument("The triangles of the wall mesh are not in the order of its walls");
   }
-  std::vector<std::size_t> first(mesh.walls.size() + 1, 0);
-  for (const WallId wall : mesh.wallOfTriangle)
+  std::vector<std::size_t> first;
+  auto                     at = mesh.wallOfTriangle.begin();
+  for (std::size_t w = 0; w <= mesh.walls.size(); ++w)
   {
-    ++first[wall + 1];
-  }
-  for (std::size_t w = 1; w < first.size(); ++w)
-  {
-    first[w] += first[w - 1];
+    at = std::lower_bound(at, mesh.wallOfTriangle.end(), static_cast<WallId>(w));
+    first.push_back(static_cast<std::size_t>(at - mesh.wallOfTriangle.begin()));
   }
   return first;
 }

@@ -9,6 +9,7 @@
 #include "Common/Algorithms.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
+#include "Complex/RelativeExterior.h"
 #include "Complex/SurfaceHeights.h"
 #include "Points/MirroredCenters.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
@@ -50,31 +51,6 @@ CleanedComplex(const MirroredCenters & centers)
   CleanSurface(complex, centers.positions, nullptr, cleanUp);
   return complex;
 }
-
-/** Gives each cell at the surface of the complex its unit normal out of the tissue, the mean of its surface triangles'
- * normals by their areas. The normals of all other cells are zero. */
-std::vector<Point>
-SurfaceNormals(const AdjacencyComplex & complex, const std::vector<Point> & centers)
-{
-  std::vector<Point> normals(centers.size(), Point{ { 0.0, 0.0, 0.0 } });
-  for (const VertexQuadruple & t : complex.GetTetrahedra())
-  {
-    if (t[0] == ExteriorVertex)
-    {
-      // The tetrahedron being positive, its three cells turn clockwise seen from the exterior.
-      const Point normal = Cross(centers[t[2]] - centers[t[1]], centers[t[3]] - centers[t[1]]);
-      for (int i = 1; i < 4; ++i)
-      {
-        normals[t[i]] = normals[t[i]] - normal;
-      }
-    }
-  }
-  for (Point & normal : normals)
-  {
-    normal = Normalized(normal);
-  }
-  return normals;
-}
 } // namespace
 
 TissueSurface::TissueSurface(const std::vector<Point> & points, const Box & box)
@@ -85,7 +61,7 @@ TissueSurface::TissueSurface(MirroredCenters centers, std::size_t numberOfPoints
   : m_Complex(CleanedComplex(centers))
   , m_Centers(std::move(centers.positions))
   , m_Spacings(std::move(centers.spacings))
-  , m_Normals(SurfaceNormals(m_Complex, m_Centers))
+  , m_Normals(RelativeExterior(m_Complex, m_Centers).Normals())
   , m_IsCut(numberOfPoints + 1, false)
 {
   for (std::size_t v = numberOfPoints + 1; v < centers.originals.size(); ++v)
