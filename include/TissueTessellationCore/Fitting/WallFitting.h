@@ -37,10 +37,10 @@ struct WallFittingStatistics
  *
  * The first points of the mesh are the corners, in the order of AdjacencyComplex::GetTetrahedra(); the walls are in the
  * order of AdjacencyComplex::GetEdges(). The fit takes longer where vertices with near numbers are far apart in the
- * tissue. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls are the
- * stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from the image
- * (TriangulateFarOutlines()). The result is the same for any `execution`.
- * \throws Aborted where `execution` asks to stop. */
+ * tissue. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls are
+ * the stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from the
+ * image (TriangulateFarOutlines()). The result is the same for any `execution`. \throws Aborted where `execution` asks
+ * to stop. */
 WallMesh
 FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
          double trianglesPerCell, WallFittingStatistics * statistics = nullptr,

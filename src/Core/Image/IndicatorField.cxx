@@ -52,8 +52,8 @@ SplineAt(double x)
 }
 
 /** Finds the least move that takes away the residuals, to first order and slightly damped, which keeps it short where
- * the gradients are nearly dependent. Each row is the gradient of an equation, or zero where there are fewer than three,
- * with a residual of zero. */
+ * the gradients are nearly dependent. Each row is the gradient of an equation, or zero where there are fewer than
+ * three, with a residual of zero. */
 Point
 SolveDamped(const Eigen::Matrix3d & rows, const Eigen::Vector3d & residual)
 {

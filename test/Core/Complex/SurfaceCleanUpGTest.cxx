@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TestComplexes.h"
 #include "Adjacency/ReferenceAdjacency.h"
+#include "TestComplexes.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Fitting/CrossingGuard.h"
-
 #include "Mesh/Crossings.h"
 #include "TwoTriangles.h"
 

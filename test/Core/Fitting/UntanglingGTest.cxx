@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Fitting/Untangling.h"
-
 #include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
 #include "TwoTriangles.h"

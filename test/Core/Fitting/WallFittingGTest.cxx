@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/WallFitting.h"
-
 #include "FourCellBall.h"
 #include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
+#include "TissueTessellationCore/Fitting/WallFitting.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
 #include "VoxelTissue.h"
 

@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Image/BlockScan.h"
-
 #include "VoxelTissue.h"
 
 #include <gtest/gtest.h>

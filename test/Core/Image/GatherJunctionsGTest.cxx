@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "TissueTessellationCore/Image/GatherJunctions.h"
-
 #include "VoxelTissue.h"
 
 #include <gtest/gtest.h>

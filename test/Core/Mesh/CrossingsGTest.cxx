@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Mesh/Crossings.h"
-
 #include "TwoTriangles.h"
 
 #include <gtest/gtest.h>

@@ -4,11 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
-
 #include "TestWallMeshes.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "VoxelTissue.h"
 
 #include <gtest/gtest.h>
