@@ -170,7 +170,8 @@ TEST(TriangleCrossing, SharedPointsAreNoCrossing)
   EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 2, 3 } })) << "an edge";
   EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 6, 3 } })) << "a point";
   EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 1, 5, 3 } })) << "a point";
-  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 7, 8 } })) << "a point, and the edge opposite to it";
+  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 7, 8 } }))
+    << "a point, and the edge opposite to it";
   EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 7, 8 } }, { { 0, 1, 2 } }));
 }
 

@@ -59,7 +59,7 @@ TEST(TriangleQuality, SummaryOfTwentyTriangles)
 {
   EXPECT_EQ(SummarizeTriangleQuality({}, {}).mean, 0.0);
   const std::vector<Point> points{ Origin, OnX, Apex, 3.0 * OnX };
-  std::vector<Triangle> triangles(19, { { 0, 1, 2 } });
+  std::vector<Triangle>    triangles(19, { { 0, 1, 2 } });
   triangles.push_back({ { 0, 1, 3 } });
   const QualitySummary summary = SummarizeTriangleQuality(points, triangles);
   EXPECT_DOUBLE_EQ(summary.mean, 0.95);

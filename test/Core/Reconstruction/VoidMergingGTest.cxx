@@ -27,7 +27,8 @@ FourCellsAndTwoVoids()
 
 TEST(VoidMerging, TetrahedraOfTheExteriorAndAVoidAreLeftOut)
 {
-  const auto merged = MergeVoids({ { { 0, 1, 2, 5 } }, { { 1, 2, 3, 5 } }, { { 1, 2, 3, 4 } } }, FourCellsAndTwoVoids());
+  const auto merged =
+    MergeVoids({ { { 0, 1, 2, 5 } }, { { 1, 2, 3, 5 } }, { { 1, 2, 3, 4 } } }, FourCellsAndTwoVoids());
   ASSERT_EQ(merged.size(), 2u);
   EXPECT_EQ(merged[0], Canonical({ { 1, 2, 3, 0 } }));
   EXPECT_EQ(merged[1], Canonical({ { 1, 2, 3, 4 } }));
