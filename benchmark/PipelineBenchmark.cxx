@@ -7,10 +7,14 @@
 // Measures the phases of the pipeline on synthetic tissues of growing size, with the default parameters. Cells have as
 // many voxels as make their adjacencies as hard as those of real tissue, as this is what the time of the optimization
 // depends on. Times of small tissues are the mean of several, as one may be easier than others.
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Geometry/SpatialOrder.h"
 #include "LabelInput.h"
+#include "Optimization/TopologyOptimizer.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"

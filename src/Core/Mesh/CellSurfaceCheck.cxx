@@ -12,7 +12,6 @@
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tissue
 {
