@@ -13,8 +13,8 @@
 namespace tissue
 {
 class AdjacencyComplex;
-class NumberedVolume;
 struct JunctionSet;
+struct LabelVolume;
 
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
@@ -35,13 +35,14 @@ struct WallFittingStatistics
  * crossing unless the statistics say so.
  *
  * Its points are first the corners, in the order of AdjacencyComplex::GetTetrahedra(); its walls are in the order of
- * AdjacencyComplex::GetEdges(). Takes longer where vertices with near numbers are far apart in the tissue.
- * `trianglesPerCell`, each triangle counted once, is approached; 0: the stars alone, whose points are the corners, then
- * the centres of the walls, but for those that are far from the image (TriangulateFarOutlines()). Deterministic for any
- * `execution`. \throws Aborted where `execution` asks to stop. */
+ * the `ranks` of their cells, one for each vertex, which should be spatial (SpatialOrder()): work on walls one after
+ * another then takes as long a wall in a large tissue as in a small one. `trianglesPerCell`, each triangle counted
+ * once, is approached; 0: the stars alone, whose points are the corners, then the centres of the walls, but for those
+ * that are far from the image (TriangulateFarOutlines()). Deterministic for any `execution`. \throws Aborted where
+ * `execution` asks to stop. */
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
-         double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         const std::vector<VertexId> & ranks, double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
          const Execution & execution = Execution());
 } // namespace tissue
 

@@ -25,7 +25,7 @@ class WallProjection
 public:
   /** `edgeLengths` has a length for each wall, `corners` the places of the first points. The volume, the field and the
    * faces must outlive this object. */
-  WallProjection(const WallMesh & mesh, const NumberedVolume & volume, const IndicatorField & field,
+  WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
                  const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                  const std::vector<Point> & corners);
 
@@ -50,7 +50,7 @@ private:
   };
 
   void
-  CollectLines(const WallMesh & mesh, const NumberedVolume & volume);
+  CollectLines(const WallMesh & mesh, const LabelVolume & volume);
   void
   MoveGroup(const Group & group, WallMesh & mesh) const;
 

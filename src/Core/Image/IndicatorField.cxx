@@ -76,10 +76,10 @@ SolveDamped(std::array<std::array<double, 3>, 3> & a, std::array<double, 3> & b,
 }
 } // namespace
 
-IndicatorField::IndicatorField(const NumberedVolume & volume)
+IndicatorField::IndicatorField(const LabelVolume & volume)
   : m_Volume(volume)
 {
-  const auto & s = volume.GetVolume().steps;
+  const auto & s = volume.steps;
   const double determinant = Dot(s[0], Cross(s[1], s[2]));
   for (int i = 0; i < 3; ++i)
   {
@@ -96,7 +96,7 @@ IndicatorField::LengthInVoxels(const Point & vector) const
 IndicatorField::Sample
 IndicatorField::Evaluate(const Point & point, const VertexQuadruple & cells, int count) const
 {
-  const Point          offset = point - m_Volume.GetVolume().origin;
+  const Point          offset = point - m_Volume.origin;
   const Spline         x = SplineAt(Dot(m_Inverse[0], offset));
   const Spline         y = SplineAt(Dot(m_Inverse[1], offset));
   const Spline         z = SplineAt(Dot(m_Inverse[2], offset));
