@@ -13,8 +13,8 @@
 namespace tissue
 {
 class AdjacencyComplex;
-class NumberedVolume;
 struct JunctionSet;
+struct LabelVolume;
 
 /** \brief How the fit of the walls went. */
 struct WallFittingStatistics
@@ -36,14 +36,15 @@ struct WallFittingStatistics
  * the cells get their volumes. No two triangles cross unless the statistics say so.
  *
  * The first points of the mesh are the corners, in the order of AdjacencyComplex::GetTetrahedra(); the walls are in the
- * order of AdjacencyComplex::GetEdges(). The fit takes longer where vertices with near numbers are far apart in the
- * tissue. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls are
- * the stars alone, whose points are the corners, then the centres of the walls, except for walls that are far from the
- * image (TriangulateFarOutlines()). The result is the same for any `execution`. \throws Aborted where `execution` asks
- * to stop. */
+ * order of the `ranks` of their cells, one for each vertex. These should be spatial (SpatialOrder()): work on walls one
+ * after another then takes no longer for a wall of a large tissue than for one of a small tissue. The number of
+ * triangles approaches `trianglesPerCell`, each triangle counted once. Where it is 0 walls are the stars alone, whose
+ * points are the corners, then the centres of the walls, except for walls that are far from the image
+ * (TriangulateFarOutlines()). The result is the same for any `execution`.
+ * \throws Aborted where `execution` asks to stop. */
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
-         double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         const std::vector<VertexId> & ranks, double trianglesPerCell, WallFittingStatistics * statistics = nullptr,
          const Execution & execution = Execution());
 } // namespace tissue
 

@@ -16,8 +16,6 @@
 
 namespace tissue
 {
-struct LabelVolume;
-
 /** A stage of the complex, as in the rows of the paper's Table 1. */
 struct ReconstructionStage
 {

@@ -16,13 +16,14 @@
 #include "Fitting/Untangling.h"
 #include "Fitting/VolumeFitting.h"
 #include "Fitting/WallProjection.h"
-#include "Image/NumberedVolume.h"
 #include "Mesh/Crossings.h"
+#include "Mesh/WallMeshOrder.h"
 #include "Remeshing/LineSubdivision.h"
 #include "Remeshing/WallEdgeLengths.h"
 #include "Remeshing/WallRemeshing.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <cmath>
@@ -50,9 +51,11 @@ const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 class Fitter
 {
 public:
-  Fitter(const JunctionSet & junctions, const NumberedVolume & volume, const Execution & execution)
+  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const std::vector<VertexId> & ranks,
+         const Execution & execution)
     : m_Junctions(junctions)
     , m_Volume(volume)
+    , m_Ranks(ranks)
     , m_Field(volume)
     , m_Execution(execution)
   {
@@ -69,7 +72,8 @@ public:
     std::vector<std::size_t> unfitted;
     WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
     const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
-    const double      triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
+    this->OrderSpatially(mesh, numberOfCorners);
+    const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectImageFaces(m_Volume, CellsOfWalls(mesh));
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_Execution);
@@ -125,7 +129,30 @@ public:
     }
   }
 
+  /** As those of Dualize() are, in the order of the tetrahedra. */
+  void
+  PutCornersInOrder(WallMesh & mesh) const
+  {
+    std::vector<PointId> order(mesh.points.size());
+    std::iota(order.begin(), order.end(), PointId{ 0 });
+    std::copy(m_CornerOfTetrahedron.begin(), m_CornerOfTetrahedron.end(), order.begin());
+    TakePoints(mesh, order);
+  }
+
 private:
+  void
+  OrderSpatially(WallMesh & mesh, std::size_t numberOfCorners)
+  {
+    mesh = OrderWalls(mesh, m_Ranks);
+    const std::vector<PointId> order = PointsByTriangles(mesh);
+    TakePoints(mesh, order);
+    m_CornerOfTetrahedron.resize(numberOfCorners);
+    for (std::size_t i = 0; i < numberOfCorners; ++i)
+    {
+      m_CornerOfTetrahedron[order[i]] = static_cast<PointId>(i);
+    }
+  }
+
   void
   CountUnfitted(const AdjacencyComplex & complex, const std::vector<std::size_t> & corners,
                 WallFittingStatistics & statistics) const
@@ -213,23 +240,28 @@ private:
   }
 
   const JunctionSet & m_Junctions;
-  NumberedVolume      m_Volume;
-  IndicatorField      m_Field;
-  const Execution &   m_Execution;
-  std::vector<double> m_Volumes;
-  ImagePlaces         m_Faces{ 0, {} };
+  const LabelVolume & m_Volume;
+  /** Of the vertices, in spatial order. */
+  const std::vector<VertexId> & m_Ranks;
+  IndicatorField                m_Field;
+  const Execution &             m_Execution;
+  std::vector<double>           m_Volumes;
+  ImagePlaces                   m_Faces{ 0, {} };
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
+  /** The mesh's own corners are in spatial order. */
+  std::vector<PointId> m_CornerOfTetrahedron;
 };
 } // namespace
 
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const NumberedVolume & volume,
-         double trianglesPerCell, WallFittingStatistics * statistics, const Execution & execution)
+FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
+         const std::vector<VertexId> & ranks, double trianglesPerCell, WallFittingStatistics * statistics,
+         const Execution & execution)
 {
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
-  Fitter                  fitter(junctions, volume, execution);
+  Fitter                  fitter(junctions, volume, ranks, execution);
   WallMesh                mesh = fitter.MakeStar(complex, s);
   if (trianglesPerCell > 0.0)
   {
@@ -239,6 +271,7 @@ FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const 
   {
     fitter.FitStar(mesh);
   }
+  fitter.PutCornersInOrder(mesh);
   s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
   return mesh;
 }

@@ -107,7 +107,7 @@ CellsOfLinePoints(const WallMesh & mesh)
 }
 } // namespace
 
-WallProjection::WallProjection(const WallMesh & mesh, const NumberedVolume & volume, const IndicatorField & field,
+WallProjection::WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
                                const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                                const std::vector<Point> & corners)
   : m_Field(field)
@@ -120,7 +120,7 @@ WallProjection::WallProjection(const WallMesh & mesh, const NumberedVolume & vol
 }
 
 void
-WallProjection::CollectLines(const WallMesh & mesh, const NumberedVolume & volume)
+WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
 {
   std::map<VertexTriple, std::vector<PointId>> pointsOf;
   for (const auto & [p, cells] : CellsOfLinePoints(mesh))

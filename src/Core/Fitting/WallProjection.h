@@ -26,7 +26,7 @@ class WallProjection
 public:
   /** `edgeLengths` has the length of an edge for each wall, `corners` the places that the first points of the mesh are
    * to have. The volume, the field and the faces must outlive this object. */
-  WallProjection(const WallMesh & mesh, const NumberedVolume & volume, const IndicatorField & field,
+  WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
                  const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                  const std::vector<Point> & corners);
 
@@ -54,7 +54,7 @@ private:
   };
 
   void
-  CollectLines(const WallMesh & mesh, const NumberedVolume & volume);
+  CollectLines(const WallMesh & mesh, const LabelVolume & volume);
   void
   MoveGroup(const Group & group, WallMesh & mesh) const;
 

@@ -20,9 +20,9 @@ KeyOf(VertexId a, VertexId b)
 }
 
 ImagePlaces::Place
-PlaceAt(const NumberedVolume & volume, double x, double y, double z)
+PlaceAt(const LabelVolume & volume, double x, double y, double z)
 {
-  const Point p = volume.GetVolume().ToPhysical({ { x, y, z } });
+  const Point p = volume.ToPhysical({ { x, y, z } });
   return { { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) } };
 }
 
@@ -30,16 +30,15 @@ PlaceAt(const NumberedVolume & volume, double x, double y, double z)
  * outside is seen. */
 template <typename TVisitor>
 void
-VisitMixedBlocks(const NumberedVolume & volume, const TVisitor & visit)
+VisitMixedBlocks(const LabelVolume & volume, const TVisitor & visit)
 {
-  const std::array<std::int32_t, 3> & size = volume.GetVolume().size;
-  for (std::int32_t z = -1; z < size[2]; ++z)
+  for (std::int32_t z = -1; z < volume.size[2]; ++z)
   {
-    for (std::int32_t y = -1; y < size[1]; ++y)
+    for (std::int32_t y = -1; y < volume.size[1]; ++y)
     {
       // The four voxels of a block at the same x, and those before.
       std::array<VertexId, 4> before{};
-      for (std::int32_t x = -2; x < size[0]; ++x)
+      for (std::int32_t x = -2; x < volume.size[0]; ++x)
       {
         const std::array<VertexId, 4> next{ { volume.At(x + 1, y, z),
                                               volume.At(x + 1, y + 1, z),
@@ -67,7 +66,7 @@ ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & 
 {}
 
 ImagePlaces
-CollectImageFaces(const NumberedVolume & volume, const std::vector<VertexPair> & pairs)
+CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pairs)
 {
   std::unordered_map<std::uint64_t, std::size_t> groupOf;
   for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -93,7 +92,7 @@ CollectImageFaces(const NumberedVolume & volume, const std::vector<VertexPair> &
 }
 
 ImagePlaces
-CollectImageLines(const NumberedVolume & volume, const std::vector<VertexTriple> & lines)
+CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & lines)
 {
   std::vector<ImagePlaces::Entry> entries;
   const auto                      add = [&](const VertexTriple & cells, double x, double y, double z) {

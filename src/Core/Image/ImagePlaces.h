@@ -7,9 +7,9 @@
 #ifndef TissueTessellationCore_ImagePlaces_h
 #define TissueTessellationCore_ImagePlaces_h
 
-#include "Image/NumberedVolume.h"
 #include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <boost/geometry/geometries/adapted/std_array.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -54,12 +54,12 @@ private:
 
 /** The centres of the voxel faces between the two cells of each pair, in any order. */
 ImagePlaces
-CollectImageFaces(const NumberedVolume & volume, const std::vector<VertexPair> & pairs);
+CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pairs);
 
 /** The centres of the voxel edges at which the three cells of each line meet; `lines` ascending, each line ascending,
  * all different. */
 ImagePlaces
-CollectImageLines(const NumberedVolume & volume, const std::vector<VertexTriple> & lines);
+CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & lines);
 
 /** \brief The places of one wall or line in the image, for the nearest of them. */
 class PlaceTree

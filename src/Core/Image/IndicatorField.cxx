@@ -66,10 +66,10 @@ SolveDamped(const Eigen::Matrix3d & rows, const Eigen::Vector3d & residual)
 }
 } // namespace
 
-IndicatorField::IndicatorField(const NumberedVolume & volume)
+IndicatorField::IndicatorField(const LabelVolume & volume)
   : m_Volume(volume)
 {
-  const auto & s = volume.GetVolume().steps;
+  const auto & s = volume.steps;
   const double determinant = Dot(s[0], Cross(s[1], s[2]));
   for (int i = 0; i < 3; ++i)
   {
@@ -88,7 +88,7 @@ IndicatorField::Evaluate(const Point & point, const VertexQuadruple & cells, int
 {
   // An indicator is the sum over its cell's voxels, of the 4 x 4 x 4 about the point, of the product of the three
   // splines. Gradients are summed along the axes of the image; the rows of m_Inverse then turn them into physical ones.
-  const Point          offset = point - m_Volume.GetVolume().origin;
+  const Point          offset = point - m_Volume.origin;
   const Spline         x = SplineAt(Dot(m_Inverse[0], offset));
   const Spline         y = SplineAt(Dot(m_Inverse[1], offset));
   const Spline         z = SplineAt(Dot(m_Inverse[2], offset));

@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_IndicatorField_h
 #define TissueTessellationCore_IndicatorField_h
 
-#include "Image/NumberedVolume.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 
 namespace tissue
 {
@@ -26,8 +26,8 @@ public:
     std::array<Point, 4> gradients = {};
   };
 
-  /** The label volume must outlive the field. */
-  explicit IndicatorField(const NumberedVolume & volume);
+  /** The volume must outlive the field. */
+  explicit IndicatorField(const LabelVolume & volume);
 
   /** The indicators of the first `count` cells, at most four, at a physical point. */
   Sample
@@ -49,7 +49,7 @@ public:
   LengthInVoxels(const Point & vector) const;
 
 private:
-  NumberedVolume       m_Volume;
+  const LabelVolume &  m_Volume;
   std::array<Point, 3> m_Inverse;
 };
 } // namespace tissue

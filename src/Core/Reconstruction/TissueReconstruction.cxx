@@ -7,20 +7,19 @@
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
 #include "Adjacency/ReferenceAdjacency.h"
-#include "Adjacency/SpatialNumbering.h"
 #include "Adjacency/TissueParts.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
 #include "Dual/CellCorners.h"
 #include "Dual/DualMesh.h"
-#include "Image/NumberedVolume.h"
+#include "Geometry/SpatialOrder.h"
 #include "Optimization/TopologyOptimizer.h"
-#include "Reconstruction/VertexRestoration.h"
 #include "Reconstruction/VoidMerging.h"
 #include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <algorithm>
@@ -65,84 +64,64 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
   return centers;
 }
 
-/** What the pipeline works on, under spatial numbers: on large tissues much of the time would else go to fetching what
- * lies far apart. */
-struct NumberedTissue
+/** What the pipeline works on, by the vertices of the image. */
+struct Tissue
 {
-  /** The image's by its own vertices, with those voids merged that are not to be vertices. */
-  JunctionSet image;
-  /** Of these vertices; all that follows is under its numbers. */
-  SpatialNumbering   numbering;
+  /** Those of the image, with the voids merged that are not to be vertices. */
   JunctionSet        junctions;
   std::vector<Point> centers;
-  /** The cells and voids of each part of the tissue. */
-  std::vector<std::vector<VertexId>> parts;
-  /** The number of each vertex of the label volume, which has all voids. */
-  std::vector<VertexId> numbersOfVolume;
+  TissueParts        parts;
+  /** The vertices in spatial order, and the rank of each in it. Complex and walls are worked on in this order: on large
+   * tissues much of the time would else go to fetching what lies far apart. */
+  std::vector<VertexId> order;
+  std::vector<VertexId> ranks;
 };
 
-/** The door: decides on voids and parts, and numbers the vertices. */
-NumberedTissue
-NumberTissue(const JunctionSet & image, const ReconstructionParameters & parameters, std::vector<CellRemark> & remarks)
+/** The door: decides on voids and parts, and orders the vertices. */
+Tissue
+EnterTissue(const JunctionSet & image, const ReconstructionParameters & parameters, std::vector<CellRemark> & remarks)
 {
-  NumberedTissue tissue;
-  tissue.image = parameters.separateVoids ? image : MergeVoids(image);
-  const std::vector<Point> centers = SeparateCenters(tissue.image, remarks);
-  const TissueParts        parts =
-    parameters.separateParts ? FindTissueParts(tissue.image, centers) : JoinTissueParts(tissue.image);
-  for (const VertexId cell : parts.strayCells)
+  Tissue tissue;
+  tissue.junctions = parameters.separateVoids ? image : MergeVoids(image);
+  tissue.centers = SeparateCenters(tissue.junctions, remarks);
+  tissue.parts =
+    parameters.separateParts ? FindTissueParts(tissue.junctions, tissue.centers) : JoinTissueParts(tissue.junctions);
+  for (const VertexId cell : tissue.parts.strayCells)
   {
     remarks.push_back({ cell, Remark::StrayPart, 0.0 });
   }
-  if (parts.parts.size() > 1 && !tissue.image.voids.empty())
+  if (tissue.parts.parts.size() > 1 && !tissue.junctions.voids.empty())
   {
-    tissue.image = MergeVoidsOfOtherParts(tissue.image, parts.PartOfVertex(tissue.image.NumberOfVertices()));
+    const auto partOfVertex = tissue.parts.PartOfVertex(tissue.junctions.NumberOfVertices());
+    tissue.junctions = MergeVoidsOfOtherParts(tissue.junctions, partOfVertex);
   }
-
-  tissue.numbering = NumberSpatially(tissue.image, centers);
-  tissue.junctions = Renumbered(tissue.image, tissue.numbering);
-  for (const VertexId v : tissue.numbering.order)
-  {
-    tissue.centers.push_back(centers[v]);
-  }
-  tissue.parts = parts.parts;
-  for (std::vector<VertexId> & part : tissue.parts)
-  {
-    std::transform(part.begin(), part.end(), part.begin(), [&tissue](VertexId v) { return tissue.numbering.ranks[v]; });
-    std::sort(part.begin(), part.end());
-  }
-  tissue.numbersOfVolume = tissue.numbering.ranks;
-  tissue.numbersOfVolume.resize(static_cast<std::size_t>(image.NumberOfVertices()), ExteriorVertex);
+  tissue.order = SpatialOrder(tissue.centers);
+  tissue.ranks = RanksInOrder(tissue.order);
   return tissue;
 }
 
-/** The exit for tetrahedra: by the image's vertices, the voids as the exterior. */
+/** The tetrahedra over vertices by other ids: ids[v] for v. */
 std::vector<VertexQuadruple>
-TetrahedraOfImage(const AdjacencyComplex & complex, const NumberedTissue & tissue)
+Renumbered(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids)
 {
-  return MergeVoids(RestoreVertices(complex.GetTetrahedra(), tissue.numbering.order), tissue.image);
-}
-
-/** The exit for the walls and what is known of the cells. */
-void
-RestoreWalls(const AdjacencyComplex & complex, const NumberedTissue & tissue, TissueReconstruction & result)
-{
-  RestoreVertices(result.walls, complex.GetTetrahedra(), tissue.numbering.order);
-  MergeVoids(result.walls, tissue.image);
-  std::vector<std::int32_t> & unfitted = result.fitting.unfittedCornersOfCell;
-  const auto                  byNumber = unfitted;
-  for (std::size_t i = 0; i < byNumber.size(); ++i)
+  for (VertexQuadruple & tetrahedron : tetrahedra)
   {
-    unfitted[tissue.numbering.order[i]] = byNumber[i];
+    for (VertexId & v : tetrahedron)
+    {
+      v = ids[v];
+    }
+    tetrahedron = Canonical(tetrahedron);
   }
+  std::sort(tetrahedra.begin(), tetrahedra.end());
+  return tetrahedra;
 }
 
 /** The Delaunay tetrahedralization of each part of the tissue, closed by the exterior. */
 std::vector<VertexQuadruple>
-TetrahedralizeParts(const NumberedTissue & tissue)
+TetrahedralizeParts(const Tissue & tissue)
 {
   std::vector<VertexQuadruple> tetrahedra;
-  for (const std::vector<VertexId> & part : tissue.parts)
+  for (const std::vector<VertexId> & part : tissue.parts.parts)
   {
     std::vector<VertexId> vertices{ ExteriorVertex };
     vertices.insert(vertices.end(), part.begin(), part.end());
@@ -151,66 +130,72 @@ TetrahedralizeParts(const NumberedTissue & tissue)
     {
       points.push_back(tissue.centers[v]);
     }
-    const auto ofPart = RestoreVertices(DelaunayTetrahedralization(points), vertices);
+    const auto ofPart = Renumbered(DelaunayTetrahedralization(points), vertices);
     tetrahedra.insert(tetrahedra.end(), ofPart.begin(), ofPart.end());
   }
-  std::sort(tetrahedra.begin(), tetrahedra.end());
   return tetrahedra;
 }
 
 /** How the Delaunay complex is to be cleaned. */
 SurfaceCleanUpParameters
-MakeCleanUp(const NumberedTissue & tissue, const ReconstructionParameters & parameters,
-            const AdjacencyComplex & complex)
+MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+            const AdjacencyComplex & complex, const std::vector<Point> & centers)
 {
   SurfaceCleanUpParameters cleanUp;
   cleanUp.guidedByReference = parameters.guidedCleanUp;
   cleanUp.maximumEdgeLength = parameters.maximumEdgeLength;
   if (!(parameters.maximumEdgeLength > 0.0))
   {
-    const double median = parameters.localMaximumEdgeLength ? 0.0 : MedianNeighborDistance(tissue.junctions);
+    const double median = parameters.localMaximumEdgeLength ? 0.0 : MedianNeighborDistance(junctions);
     cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * (median > 0.0 ? median : 1.0);
-    cleanUp.localLengths = median > 0.0 ? std::vector<double>() : LocalSpacings(complex, tissue.centers);
+    cleanUp.localLengths = median > 0.0 ? std::vector<double>() : LocalSpacings(complex, centers);
   }
   return cleanUp;
 }
 
-/** The complex through its stages, which `result` learns of. */
+/** The complex through its stages, which `result` learns of. The vertices are renumbered by their ranks on the way in,
+ * and back on the way out. */
 AdjacencyComplex
-ReconstructComplex(const NumberedTissue & tissue, const ReconstructionParameters & parameters,
-                   TissueReconstruction & result, const Execution & execution)
+ReconstructComplex(const Tissue & tissue, const ReconstructionParameters & parameters, TissueReconstruction & result,
+                   const Execution & execution)
 {
-  Stopwatch                stopwatch;
-  const ReferenceAdjacency reference(tissue.junctions);
+  Stopwatch          stopwatch;
+  std::vector<Point> centers;
+  for (const VertexId v : tissue.order)
+  {
+    centers.push_back(tissue.centers[v]);
+  }
+  const ReferenceAdjacency reference = ReferenceAdjacency(tissue.junctions).Renumbered(tissue.ranks);
   // The statistics of a stage do not count for the time of the next one.
   const auto finishStage = [&](const AdjacencyComplex & complex) {
     ReconstructionStage stage;
     stage.seconds = stopwatch.Lap().wallSeconds;
-    stage.statistics = ComputeStatistics(complex, tissue.centers, &reference, parameters.energy);
+    stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
     if (parameters.keepStages)
     {
-      stage.tetrahedra = TetrahedraOfImage(complex, tissue);
+      stage.tetrahedra = MergeVoids(Renumbered(complex.GetTetrahedra(), tissue.order), tissue.junctions);
     }
     stopwatch.Lap();
     return stage;
   };
 
-  AdjacencyComplex complex(tissue.junctions.NumberOfVertices(), TetrahedralizeParts(tissue));
+  const auto       numberOfVertices = static_cast<VertexId>(centers.size());
+  AdjacencyComplex complex(numberOfVertices, Renumbered(TetrahedralizeParts(tissue), tissue.ranks));
   result.delaunay = finishStage(complex);
   execution.Report(DelaunayShare);
 
-  const SurfaceCleanUpParameters cleanUp = MakeCleanUp(tissue, parameters, complex);
+  const SurfaceCleanUpParameters cleanUp = MakeCleanUp(tissue.junctions, parameters, complex, centers);
   result.maximumEdgeLength =
     cleanUp.maximumEdgeLength * (cleanUp.localLengths.empty() ? 1.0 : MedianSpacing(cleanUp.localLengths));
-  result.cleanUp = CleanSurface(complex, tissue.centers, &reference, cleanUp);
+  result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
   result.cleaned = finishStage(complex);
 
-  TopologyOptimizer optimizer(complex, tissue.centers, &reference, parameters.energy, parameters.annealing);
+  TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
   result.cycles = optimizer.Run(execution.Part(DelaunayShare, DelaunayShare + OptimizationShare));
   result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
   result.energy = optimizer.Energy();
   result.optimized = finishStage(complex);
-  return complex;
+  return AdjacencyComplex(numberOfVertices, Renumbered(complex.GetTetrahedra(), tissue.order));
 }
 
 /** The dual of the complex as stars, split and smoothed: the walls without an image. */
@@ -266,21 +251,17 @@ RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size
 /** All remarks on the result, by cell; of each cell first those that follow from image and complex, then those of the
  * `door`, then those on the walls. */
 std::vector<CellRemark>
-GatherRemarks(const AdjacencyComplex & complex, const NumberedTissue & tissue, const TissueReconstruction & result,
+GatherRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions, const TissueReconstruction & result,
               const std::vector<CellRemark> & door)
 {
-  const bool              hasWalls = !tissue.image.walls.empty();
-  std::vector<CellRemark> remarks = hasWalls ? CollectRemarks(complex, tissue.junctions) : std::vector<CellRemark>();
-  for (CellRemark & remark : remarks)
-  {
-    remark.cell = tissue.numbering.order[remark.cell];
-  }
+  const bool              hasWalls = !junctions.walls.empty();
+  std::vector<CellRemark> remarks = hasWalls ? CollectRemarks(complex, junctions) : std::vector<CellRemark>();
   remarks.insert(remarks.end(), door.begin(), door.end());
   if (hasWalls)
   {
-    RemarkVolumes(result.walls, tissue.image, result.isFitted, remarks);
+    RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
   }
-  RemarkCorners(result.fitting.unfittedCornersOfCell, tissue.image.cells.size(), remarks);
+  RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
   std::stable_sort(
     remarks.begin(), remarks.end(), [](const CellRemark & a, const CellRemark & b) { return a.cell < b.cell; });
   return remarks;
@@ -294,20 +275,21 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   parameters.Check();
   TissueReconstruction    result;
   std::vector<CellRemark> remarks;
-  const NumberedTissue    tissue = NumberTissue(image, parameters, remarks);
-  result.numberOfVoids = tissue.image.voids.size();
-  result.numberOfParts = tissue.parts.size();
-
+  const Tissue            tissue = EnterTissue(image, parameters, remarks);
+  result.numberOfVoids = tissue.junctions.voids.size();
+  result.numberOfParts = tissue.parts.parts.size();
   const AdjacencyComplex complex = ReconstructComplex(tissue, parameters, result, execution);
-  result.tetrahedra = TetrahedraOfImage(complex, tissue);
 
   Stopwatch stopwatch;
   result.isFitted = volume != nullptr && parameters.fitToImage;
   if (result.isFitted)
   {
+    const bool        isMerged = tissue.junctions.voids.size() < image.voids.size();
+    const LabelVolume merged = isMerged ? MergeVoids(*volume, image.cells.size()) : LabelVolume();
     result.walls = FitWalls(complex,
                             tissue.junctions,
-                            { *volume, tissue.numbersOfVolume },
+                            isMerged ? merged : *volume,
+                            tissue.ranks,
                             parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0,
                             &result.fitting,
                             execution.Part(DelaunayShare + OptimizationShare, 1.0));
@@ -316,9 +298,12 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
   {
     result.walls = MakeStarWalls(complex, tissue.junctions, parameters);
   }
-  RestoreWalls(complex, tissue, result);
 
-  result.remarks = GatherRemarks(complex, tissue, result, remarks);
+  // The exit: voids are the exterior from here on.
+  result.tetrahedra = MergeVoids(complex.GetTetrahedra(), tissue.junctions);
+  MergeVoids(result.walls, tissue.junctions);
+
+  result.remarks = GatherRemarks(complex, tissue.junctions, result, remarks);
   result.dualSeconds = stopwatch.Lap().wallSeconds;
   execution.Report(1.0);
   return result;
