@@ -4,8 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef TissueTessellationCore_LabelPieces_h
-#define TissueTessellationCore_LabelPieces_h
+#ifndef TissueTessellationCore_LabelFragments_h
+#define TissueTessellationCore_LabelFragments_h
 
 #include "TissueTessellationCore/Common/Types.h"
 
