@@ -7,10 +7,14 @@
 // The phases of the pipeline on synthetic tissues of growing size, with the default parameters. Cells are of the number
 // of voxels that adjacencies are as hard there as on real tissue: how long the optimization takes depends on it. Times
 // of small tissues are the mean of several, as one may be easier than others.
+#include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Geometry/SpatialOrder.h"
 #include "LabelInput.h"
+#include "Optimization/TopologyOptimizer.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"

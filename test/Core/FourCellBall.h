@@ -12,9 +12,9 @@
 
 /** A ball of four equal cells around the origin, whose every corner, line and wall is known: cell i is where the i-th
  * vertex of a regular tetrahedron is nearest. */
-namespace testing_four_cell_ball
+namespace tissue_test
 {
-using namespace testing_complexes;
+using namespace tissue;
 
 constexpr double VoxelLength = 0.1;
 constexpr double Radius = 1.5;
@@ -71,6 +71,6 @@ TrueCorners()
   }
   return corners;
 }
-} // namespace testing_four_cell_ball
+} // namespace tissue_test
 
 #endif

@@ -11,8 +11,9 @@
 #include "Optimization/AnnealingState.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
-namespace testing_complexes
+namespace tissue_test
 {
 inline EnergyParameters
 ImageTermOnly()
@@ -63,6 +64,6 @@ struct Problem
   std::vector<VertexQuadruple> truth;
   ReferenceAdjacency           reference;
 };
-} // namespace testing_complexes
+} // namespace tissue_test
 
 #endif

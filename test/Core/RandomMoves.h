@@ -11,7 +11,7 @@
 #include "Complex/LocalOperations.h"
 #include "TissueTessellationCore/Common/Random.h"
 
-namespace testing_complexes
+namespace tissue_test
 {
 using namespace tissue;
 
@@ -53,6 +53,6 @@ Scramble(AdjacencyComplex & complex, const LocalOperations & operations, int num
     }
   }
 }
-} // namespace testing_complexes
+} // namespace tissue_test
 
 #endif

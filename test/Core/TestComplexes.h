@@ -21,7 +21,7 @@
 
 /** Complexes for the tests of the core. Vertex 0 is the exterior; its position is NaN, so that no use of it can hide.
  */
-namespace testing_complexes
+namespace tissue_test
 {
 using namespace tissue;
 
@@ -220,6 +220,6 @@ JunctionsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers
   return junctions;
 }
 
-} // namespace testing_complexes
+} // namespace tissue_test
 
 #endif

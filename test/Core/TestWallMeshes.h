@@ -16,9 +16,9 @@
 #include "WallMeshChecks.h"
 
 /** Wall meshes for the tests of what is done with them. */
-namespace testing_wall_meshes
+namespace tissue_test
 {
-using namespace testing_complexes;
+using namespace tissue;
 
 inline WallMesh
 StarsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers)
@@ -144,20 +144,20 @@ ExpectNoChordOfOtherWalls(const WallMesh & mesh)
 inline void
 ExpectSound(const WallMesh & mesh, VertexId numberOfCells)
 {
-  wall_mesh_checks::ExpectInvariants(mesh, numberOfCells + 1);
+  ExpectInvariants(mesh, numberOfCells + 1);
   EXPECT_TRUE(CheckCellSurfaces(mesh, numberOfCells + 1).IsSound());
   ExpectNoChordOfOtherWalls(mesh);
 }
 
 /** Runs from the last to the first. */
 inline void
-RunBackwards(std::size_t count, const std::function<void(std::size_t)> & body)
+RunBackwards(std::size_t count, const Execution::LoopBody & body)
 {
   while (count > 0)
   {
     body(--count);
   }
 }
-} // namespace testing_wall_meshes
+} // namespace tissue_test
 
 #endif

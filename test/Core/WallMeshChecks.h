@@ -19,7 +19,7 @@
 #include <vector>
 
 /** What the class comment of WallMesh promises, checked from scratch. */
-namespace wall_mesh_checks
+namespace tissue_test
 {
 using namespace tissue;
 using DirectedEdge = std::array<PointId, 2>;
@@ -152,6 +152,6 @@ ExpectInvariants(const WallMesh & mesh, VertexId numberOfCells)
     EXPECT_EQ(cellsAt[p].size(), mesh.numberOfCells[p]) << "point " << p;
   }
 }
-} // namespace wall_mesh_checks
+} // namespace tissue_test
 
 #endif

@@ -4,12 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Fitting/CrossingGuard.h"
-#include "Fitting/VolumeFitting.h"
+#include "Mesh/Crossings.h"
 #include "SyntheticTestTissue.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkCellWallMeshEvaluationCalculator.h"
 #include "itkImageRegionIteratorWithIndex.h"

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "LabelImageTestHelpers.h"
+#include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkLabelImageToCellWallMeshFilter.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

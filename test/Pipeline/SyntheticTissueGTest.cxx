@@ -5,12 +5,15 @@
  *
  *=========================================================================*/
 #include "Adjacency/ReferenceAdjacency.h"
+#include "Complex/AdjacencyComplex.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "LabelImageTestHelpers.h"
 #include "SyntheticTissueTestHelpers.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <tuple>
 

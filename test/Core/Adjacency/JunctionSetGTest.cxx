@@ -10,7 +10,7 @@
 
 using namespace tissue;
 
-TEST(JunctionLookup, FindsWallsAndJunctionsByTheirCellsInAnyOrder)
+TEST(JunctionSet, FindsWallsAndJunctionsByTheirCellsInAnyOrder)
 {
   JunctionSet set;
   set.walls.resize(3);

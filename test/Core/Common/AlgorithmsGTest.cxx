@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-TEST(Median, IsTheMiddleOneOrTheUpperOfTwo)
+TEST(Algorithms, TheMedianIsTheMiddleOneOrTheUpperOfTwo)
 {
   EXPECT_EQ(tissue::Median({ 5.0 }), 5.0);
   EXPECT_EQ(tissue::Median({ 9.0, -1.0, 4.0 }), 4.0);

@@ -10,7 +10,7 @@
 
 #include <stdexcept>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 TEST(AdjacencyComplex, CountsTheElementsOfTheFourSimplex)
 {

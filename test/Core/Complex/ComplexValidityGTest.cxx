@@ -10,7 +10,7 @@
 
 #include <string>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

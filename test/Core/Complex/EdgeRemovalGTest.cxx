@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

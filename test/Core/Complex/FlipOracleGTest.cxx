@@ -14,7 +14,7 @@
 
 #include <map>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 /** CGAL's combinatorial triangulation as an oracle: its flips 2-3 and 3-2, which check themselves whether they are
  * possible, must agree with ours in verdict and in result. */

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

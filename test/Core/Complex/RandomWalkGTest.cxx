@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

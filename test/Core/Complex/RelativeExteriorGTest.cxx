@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

@@ -5,11 +5,12 @@
  *
  *=========================================================================*/
 #include "TestComplexes.h"
+#include "Adjacency/ReferenceAdjacency.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
 #include <gtest/gtest.h>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

@@ -11,7 +11,7 @@
 
 #include <utility>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <stdexcept>
 
-using namespace testing_complexes;
-using namespace wall_mesh_checks;
+using namespace tissue_test;
 
 namespace
 {

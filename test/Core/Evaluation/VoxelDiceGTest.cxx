@@ -105,7 +105,7 @@ TEST(VoxelDice, OfABallIsThatOfItsVoxels)
     const Point p{ { i % 41 - 20.0, i / 41 % 41 - 20.0, i / (41 * 41) - 20.0 } };
     labels.vertices.push_back(Norm(p) < radius ? 1 : 0);
   }
-  WallMesh mesh = testing_wall_meshes::RoundOrange(5);
+  WallMesh mesh = tissue_test::RoundOrange(5);
   for (Point & p : mesh.points)
   {
     p = radius * p + Point{ { 20.0, 20.0, 20.0 } };

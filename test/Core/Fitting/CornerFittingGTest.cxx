@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_four_cell_ball;
+using namespace tissue_test;
 
 namespace
 {

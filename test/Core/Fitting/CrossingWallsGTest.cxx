@@ -6,11 +6,12 @@
  *=========================================================================*/
 #include "Fitting/CrossingGuard.h"
 #include "Fitting/CrossingWalls.h"
+#include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 namespace
 {

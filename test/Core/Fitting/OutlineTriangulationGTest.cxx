@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 namespace
 {
@@ -119,6 +119,6 @@ TEST(OutlineTriangulation, JoinsNoPointsThatAnotherWallHasToo)
   EXPECT_EQ(mesh.triangles.size(), 12u);
 
   WallMesh backwards = before;
-  TriangulateFarOutlines(backwards, ImagePlaces(before.walls.size(), entries), 0.01, RunBackwards);
+  TriangulateFarOutlines(backwards, ImagePlaces(before.walls.size(), entries), 0.01, Execution(RunBackwards));
   ExpectSame(backwards, mesh);
 }

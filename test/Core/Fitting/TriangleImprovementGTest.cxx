@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 namespace
 {
@@ -81,7 +81,7 @@ TEST(TriangleImprovement, TheOrderOfWorkDoesNotMatter)
   RemeshToNumberOfTriangles(forwards, 20 * 100.0);
   WallMesh backwards = forwards;
   ImproveTriangles(forwards, 3);
-  ImproveTriangles(backwards, 3, RunBackwards);
+  ImproveTriangles(backwards, 3, Execution(RunBackwards));
   EXPECT_EQ(forwards.points, backwards.points);
 }
 

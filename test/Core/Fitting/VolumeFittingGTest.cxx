@@ -6,10 +6,11 @@
  *=========================================================================*/
 #include "Fitting/VolumeFitting.h"
 #include "TestWallMeshes.h"
+#include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 TEST(VolumeFitting, VolumesByHand)
 {

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_four_cell_ball;
+using namespace tissue_test;
 
 namespace
 {

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Geometry/BoxGrid.h"
 #include "TissueTessellationCore/Common/Random.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <gtest/gtest.h>
 

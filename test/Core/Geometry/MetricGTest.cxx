@@ -37,7 +37,7 @@ ExpectNear(const Metric & a, const Metric & b, double tolerance)
 }
 } // namespace
 
-TEST(SymmetricEigen, DecomposesAnySymmetricMatrix)
+TEST(Metric, DecomposesAnySymmetricMatrix)
 {
   Random random(1);
   for (int trial = 0; trial < 100; ++trial)
@@ -59,7 +59,7 @@ TEST(SymmetricEigen, DecomposesAnySymmetricMatrix)
   }
 }
 
-TEST(SymmetricEigen, TakesEqualEigenvaluesAndDiagonalMatrices)
+TEST(Metric, TakesEqualEigenvaluesAndDiagonalMatrices)
 {
   const Metric same{ { 2.0, 0.0, 0.0, 2.0, 0.0, 2.0 } };
   ExpectNear(MapEigenvalues(same, [](double value) { return value; }), same, 0.0);
@@ -68,7 +68,7 @@ TEST(SymmetricEigen, TakesEqualEigenvaluesAndDiagonalMatrices)
     MapEigenvalues(diagonal, [](double value) { return value * value; }), { { 1.0, 0.0, 0.0, 9.0, 0.0, 0.0625 } }, 0.0);
 }
 
-TEST(SymmetricEigen, TheLogarithmOfTheExponentialIsTheMatrix)
+TEST(Metric, TheLogarithmOfTheExponentialIsTheMatrix)
 {
   Random random(2);
   for (int trial = 0; trial < 20; ++trial)

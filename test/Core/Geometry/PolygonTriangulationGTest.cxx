@@ -22,7 +22,6 @@ namespace
 {
 using TriangleCost = std::function<double(int i, int j, int k)>;
 
-using Triangle = std::array<int, 3>;
 using PlanePoint = std::array<double, 2>;
 using Polygon = std::vector<PlanePoint>;
 
@@ -91,7 +90,7 @@ InCircle(const PlanePoint & a, const PlanePoint & b, const PlanePoint & c, const
 }
 } // namespace
 
-TEST(RingTriangulation, LeastCostIsThatOfBruteForce)
+TEST(PolygonTriangulation, LeastCostIsThatOfBruteForce)
 {
   Random random(1);
   for (int n = 3; n <= 8; ++n)
@@ -124,7 +123,7 @@ TEST(RingTriangulation, LeastCostIsThatOfBruteForce)
   }
 }
 
-TEST(RingTriangulation, OfEqualSumsTheSmallerSplittingCornerWins)
+TEST(PolygonTriangulation, OfEqualSumsTheSmallerSplittingCornerWins)
 {
   const auto               triangles = LeastCostTriangulation(5, [](int, int, int) { return 1.0; });
   const std::set<Triangle> found(triangles.begin(), triangles.end());
@@ -132,12 +131,12 @@ TEST(RingTriangulation, OfEqualSumsTheSmallerSplittingCornerWins)
   EXPECT_EQ(found, fan);
 }
 
-TEST(RingTriangulation, NothingForFewerThanThreeCorners)
+TEST(PolygonTriangulation, NothingForFewerThanThreeCorners)
 {
   EXPECT_TRUE(LeastCostTriangulation(2, [](int, int, int) { return 0.0; }).empty());
 }
 
-TEST(RingTriangulation, RhombusIsCutByItsShorterDiagonal)
+TEST(PolygonTriangulation, RhombusIsCutByItsShorterDiagonal)
 {
   // Derived by hand: both triangles on the shorter diagonal have an acute angle opposite to it.
   EXPECT_EQ(DelaunayOf({ { { 2, 0 } }, { { 0, 1 } }, { { -2, 0 } }, { { 0, -1 } } }),
@@ -146,7 +145,7 @@ TEST(RingTriangulation, RhombusIsCutByItsShorterDiagonal)
             (std::set<Triangle>{ { { 0, 1, 2 } }, { { 0, 2, 3 } } }));
 }
 
-TEST(RingTriangulation, ConvexPolygonsHaveEmptyCircles)
+TEST(PolygonTriangulation, ConvexPolygonsHaveEmptyCircles)
 {
   Random random(2);
   for (int n = 4; n <= 10; ++n)
@@ -170,14 +169,14 @@ TEST(RingTriangulation, ConvexPolygonsHaveEmptyCircles)
   }
 }
 
-TEST(RingTriangulation, DartIsCutAtItsNotch)
+TEST(PolygonTriangulation, DartIsCutAtItsNotch)
 {
   // The notch at corner 3: only the diagonal (1, 3) is inside.
   EXPECT_EQ(DelaunayOf({ { { 2, -1 } }, { { 0, 3 } }, { { -2, -1 } }, { { 0, 0 } } }),
             (std::set<Triangle>{ { { 0, 1, 3 } }, { { 1, 2, 3 } } }));
 }
 
-TEST(RingTriangulation, StarShapedPolygonIsFilledByItsOwnArea)
+TEST(PolygonTriangulation, StarShapedPolygonIsFilledByItsOwnArea)
 {
   // A four-pointed star: its points cannot be joined, its notches can.
   const Polygon star{ { { 3, 0 } },  { { 0.5, 0.6 } },   { { 0, 3 } },  { { -0.6, 0.5 } },
@@ -191,13 +190,13 @@ TEST(RingTriangulation, StarShapedPolygonIsFilledByItsOwnArea)
   EXPECT_EQ(triangles.count({ { 0, 1, 7 } }), 1u);
 }
 
-TEST(RingTriangulation, CrossingOrClockwisePolygonIsRefused)
+TEST(PolygonTriangulation, CrossingOrClockwisePolygonIsRefused)
 {
   EXPECT_TRUE(DelaunayOf({ { { 0, 0 } }, { { 1, 1 } }, { { 1, 0 } }, { { 0, 1 } } }).empty()) << "bow-tie";
   EXPECT_TRUE(DelaunayOf({ { { 0, 0 } }, { { 0, 1 } }, { { 1, 1 } }, { { 1, 0 } } }).empty()) << "clockwise";
 }
 
-TEST(RingTriangulation, DelaunayCostByHand)
+TEST(PolygonTriangulation, DelaunayCostByHand)
 {
   // (1 + 1 + 2) / 0.5
   EXPECT_DOUBLE_EQ(DelaunayCost({ { 0, 0 } }, { { 1, 0 } }, { { 0, 1 } }), 8.0);

@@ -16,7 +16,7 @@
 namespace
 {
 using tissue::Point;
-using tissue::PointId;
+using tissue::Triangle;
 
 /** Whether the two cross, the same for every order of the triangles and of their points. */
 bool
@@ -160,4 +160,26 @@ TEST(TriangleCrossing, OfASegmentThatIsATriangleByItsPointsAlone)
   // A point twice.
   EXPECT_FALSE(Cross(points, { { 0, 1, 2 } }, { { 0, 0, 3 } }));
   EXPECT_FALSE(Cross(points, { { 0, 1, 2 } }, { { 0, 1, 1 } }));
+}
+
+TEST(TriangleCrossing, SharedPointsAreNoCrossing)
+{
+  const std::vector<Point> points{ { { 0, 0, 0 } },  { { 2, 0, 0 } },      { { 0, 2, 0 } },
+                                   { { 1, 1, 1 } },  { { 1, 1, -1 } },     { { 2, 2, 0 } },
+                                   { { -1, 0, 0 } }, { { 0.5, 0.5, -1 } }, { { 0.5, 0.5, 1 } } };
+  EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 2, 3 } })) << "an edge";
+  EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 6, 3 } })) << "a point";
+  EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 1, 5, 3 } })) << "a point";
+  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 7, 8 } }))
+    << "a point, and the edge opposite to it";
+  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 7, 8 } }, { { 0, 1, 2 } }));
+}
+
+TEST(TriangleCrossing, TrianglesInOnePlaneCrossWhereTheyOverlap)
+{
+  const std::vector<Point> points{ { { 0, 0, 0 } },  { { 2, 0, 0 } }, { { 0, 2, 0 } },    { { -2, 0, 0 } },
+                                   { { 0, -2, 0 } }, { { 2, 2, 0 } }, { { 0.5, 0.5, 0 } } };
+  EXPECT_FALSE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 3, 4 } })) << "opposite triangles of a flat star";
+  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 6, 5, 3 } }));
+  EXPECT_TRUE(tissue::TrianglesCross(points, { { 0, 1, 2 } }, { { 0, 5, 3 } })) << "with a shared point";
 }

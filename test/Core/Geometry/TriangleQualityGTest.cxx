@@ -57,12 +57,11 @@ TEST(TriangleQuality, GradientIsTheDifferenceQuotient)
 
 TEST(TriangleQuality, SummaryOfTwentyTriangles)
 {
-  WallMesh mesh;
-  EXPECT_EQ(SummarizeTriangleQuality(mesh.points, mesh.triangles).mean, 0.0);
-  mesh.points = { Origin, OnX, Apex, 3.0 * OnX };
-  mesh.triangles.assign(19, { { 0, 1, 2 } });
-  mesh.triangles.push_back({ { 0, 1, 3 } });
-  const QualitySummary summary = SummarizeTriangleQuality(mesh.points, mesh.triangles);
+  EXPECT_EQ(SummarizeTriangleQuality({}, {}).mean, 0.0);
+  const std::vector<Point> points{ Origin, OnX, Apex, 3.0 * OnX };
+  std::vector<Triangle>    triangles(19, { { 0, 1, 2 } });
+  triangles.push_back({ { 0, 1, 3 } });
+  const QualitySummary summary = SummarizeTriangleQuality(points, triangles);
   EXPECT_DOUBLE_EQ(summary.mean, 0.95);
   EXPECT_EQ(summary.least, 0.0);
   EXPECT_DOUBLE_EQ(summary.fifthPercentile, 1.0);

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 TEST(PointNumbering, PointsComeInTheOrderGiven)
 {

@@ -37,7 +37,7 @@ Star(int n)
 void
 ExpectDisk(const WallPatch & patch)
 {
-  wall_mesh_checks::Triangles triangles;
+  tissue_test::Triangles triangles;
   for (HalfEdge h = 0; h < patch.EndOfHalfEdges(); ++h)
   {
     if (!patch.IsAlive(h))
@@ -56,7 +56,7 @@ ExpectDisk(const WallPatch & patch)
     }
   }
   long euler = 0;
-  EXPECT_EQ(wall_mesh_checks::CheckSurface(triangles, euler), static_cast<std::size_t>(patch.OutlineSize()));
+  EXPECT_EQ(tissue_test::CheckSurface(triangles, euler), static_cast<std::size_t>(patch.OutlineSize()));
   EXPECT_EQ(euler, 1);
   int interior = 0;
   for (Vertex v = 0; v < patch.EndOfVertices(); ++v)

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

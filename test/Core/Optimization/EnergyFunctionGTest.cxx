@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 using namespace tissue;
-using namespace testing_complexes;
+using namespace tissue_test;
 
 TEST(FocusedAnnealing, RecoversAKnownComplexFromItsScrambledSelf)
 {

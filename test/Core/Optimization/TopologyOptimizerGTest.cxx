@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {
@@ -177,10 +177,10 @@ TEST(TopologyOptimizer, ReportsProgressAndStopsOnRequest)
   std::vector<double> fractions;
   TopologyOptimizer   optimizer(
     problem.complex, problem.centers, &problem.reference, ImageTermOnly(), CombinatorialAnnealing());
-  optimizer.Run([&fractions](double fraction) {
+  optimizer.Run(Execution({}, [&fractions](double fraction) {
     fractions.push_back(fraction);
     return true;
-  });
+  }));
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0.0);
   EXPECT_EQ(fractions.back(), 1.0);

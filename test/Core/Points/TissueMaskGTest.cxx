@@ -11,7 +11,7 @@
 
 #include <numeric>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {
@@ -81,7 +81,7 @@ TEST(TissueMask, IsTheSameInAnyOrderOfItsParts)
       body(i - 1);
     }
   };
-  EXPECT_EQ(MaskOfCube(0.6).inside, MaskOfCube(0.6, backwards).inside);
+  EXPECT_EQ(MaskOfCube(0.6).inside, MaskOfCube(0.6, Execution(backwards)).inside);
 }
 
 TEST(TissueMask, IsSampledInSmallGroups)

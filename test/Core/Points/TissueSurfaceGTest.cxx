@@ -11,7 +11,7 @@
 
 #include <numeric>
 
-using namespace testing_complexes;
+using namespace tissue_test;
 
 namespace
 {

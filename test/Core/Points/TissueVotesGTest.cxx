@@ -116,7 +116,7 @@ TEST(TissueVotes, AreTheSameInAnyOrder)
     }
   };
   const auto a = Vote(EightCells(0.1), 0.05);
-  const auto b = Vote(EightCells(0.1), 0.05, backwards);
+  const auto b = Vote(EightCells(0.1), 0.05, 0.0, Execution(backwards));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
   {

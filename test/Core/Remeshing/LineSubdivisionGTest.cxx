@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 namespace
 {
@@ -54,7 +54,7 @@ TEST(LineSubdivision, StarsAreCutIntoEqualPieces)
     EXPECT_TRUE(std::equal(star.points.begin(), star.points.begin() + corners, mesh.points.begin()));
     for (VertexId cell = 1; cell <= 20; ++cell)
     {
-      EXPECT_NEAR(wall_mesh_checks::VolumeOf(mesh, cell), wall_mesh_checks::VolumeOf(star, cell), 1e-12);
+      EXPECT_NEAR(tissue_test::VolumeOf(mesh, cell), tissue_test::VolumeOf(star, cell), 1e-12);
     }
   }
 }

@@ -12,8 +12,7 @@
 
 #include <cmath>
 
-using namespace testing_wall_meshes;
-using namespace wall_mesh_checks;
+using namespace tissue_test;
 
 namespace
 {

@@ -15,8 +15,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace testing_wall_meshes;
-using namespace wall_mesh_checks;
+using namespace tissue_test;
 
 namespace
 {
@@ -204,7 +203,7 @@ TEST(WallRemeshing, TheOrderOfWorkDoesNotMatter)
   WallMesh forwards = RandomTissue(30);
   WallMesh backwards = forwards;
   RemeshToNumberOfTriangles(forwards, 30 * 150.0);
-  RemeshToNumberOfTriangles(backwards, 30 * 150.0, {}, RunBackwards);
+  RemeshToNumberOfTriangles(backwards, 30 * 150.0, {}, Execution(RunBackwards));
   EXPECT_EQ(forwards.points, backwards.points);
   EXPECT_EQ(forwards.triangles, backwards.triangles);
 }
@@ -242,7 +241,7 @@ TEST(WallRemeshing, SubdividedWallsStayWhereTheyAre)
   WallMesh       mesh = star;
   SubdivideLines(mesh, AllOf(mesh, 0.2));
   const WallMesh cut = mesh;
-  SubdivideWalls(mesh, AllOf(mesh, 0.1), RunBackwards);
+  SubdivideWalls(mesh, AllOf(mesh, 0.1), Execution(RunBackwards));
   ExpectSound(mesh, 54);
   EXPECT_GT(mesh.triangles.size(), 2 * cut.triangles.size());
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);

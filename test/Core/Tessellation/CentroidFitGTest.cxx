@@ -206,7 +206,7 @@ TEST(CentroidFit, IsTheSameInAnyOrderOfItsParts)
     }
   };
   const CentroidFit a = recovery.Fit(0.0);
-  const CentroidFit b = recovery.Fit(0.0, backwards);
+  const CentroidFit b = recovery.Fit(0.0, Execution(backwards));
   for (std::size_t i = 0; i < 64; ++i)
   {
     EXPECT_EQ(a.GetSeeds()[i].position, b.GetSeeds()[i].position);
