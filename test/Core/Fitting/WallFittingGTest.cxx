@@ -23,6 +23,9 @@ namespace
 constexpr std::size_t NumberOfCorners = 5;
 constexpr std::size_t NumberOfWalls = 10;
 
+/** Of the exterior and the four cells. */
+const std::vector<VertexId> Ranks{ 0, 1, 2, 3, 4 };
+
 /** The ball of four cells, its walls fitted to its image. */
 struct FittedBall
 {
@@ -32,7 +35,7 @@ struct FittedBall
   WallMesh              mesh;
 
   explicit FittedBall(double trianglesPerCell, const Execution & execution = Execution())
-    : mesh(FitWalls(MakeComplex(), junctions, volume, trianglesPerCell, &statistics, execution))
+    : mesh(FitWalls(MakeComplex(), junctions, volume, Ranks, trianglesPerCell, &statistics, execution))
   {}
 };
 } // namespace
@@ -122,7 +125,7 @@ TEST(WallFitting, CornersThatTheImageHasNotAreCounted)
   ASSERT_EQ(ball.junctions.junctions.back().cells, (VertexQuadruple{ { 1, 2, 3, 4 } }));
   ball.junctions.junctions.pop_back();
   WallFittingStatistics statistics;
-  FitWalls(MakeComplex(), ball.junctions, ball.volume, 0.0, &statistics);
+  FitWalls(MakeComplex(), ball.junctions, ball.volume, Ranks, 0.0, &statistics);
   EXPECT_EQ(statistics.unfittedCorners, 1);
   EXPECT_EQ(statistics.unfittedCornersOfCell, (std::vector<std::int32_t>{ 0, 1, 1, 1, 1 }));
 }
