@@ -12,7 +12,7 @@
 #include <map>
 #include <numeric>
 
-using namespace testing_wall_meshes;
+using namespace tissue_test;
 
 namespace
 {
@@ -43,7 +43,7 @@ BackwardRanks(VertexId numberOfCells)
 }
 } // namespace
 
-TEST(SpatialWallOrder, WallsAreOrderedByTheRanksOfTheirCells)
+TEST(WallMeshOrder, WallsAreOrderedByTheRanksOfTheirCells)
 {
   const std::vector<VertexId> ranks = BackwardRanks(20);
   const WallMesh              mesh = OrderWalls(RandomTissue(20), ranks);
@@ -56,7 +56,7 @@ TEST(SpatialWallOrder, WallsAreOrderedByTheRanksOfTheirCells)
   }
 }
 
-TEST(SpatialWallOrder, TheTrianglesOfAWallStayInTheirOrderAndPlace)
+TEST(WallMeshOrder, TheTrianglesOfAWallStayInTheirOrderAndPlace)
 {
   const WallMesh before = RandomTissue(20);
   const WallMesh mesh = OrderWalls(before, BackwardRanks(20));
@@ -64,7 +64,7 @@ TEST(SpatialWallOrder, TheTrianglesOfAWallStayInTheirOrderAndPlace)
   EXPECT_EQ(TrianglesByCells(mesh), TrianglesByCells(before));
 }
 
-TEST(SpatialWallOrder, PointsAreNumberedByTheFirstTriangleThatHasThem)
+TEST(WallMeshOrder, PointsAreNumberedByTheFirstTriangleThatHasThem)
 {
   WallMesh mesh = OrderWalls(RandomTissue(20), BackwardRanks(20));
   TakePoints(mesh, PointsByTriangles(mesh));
@@ -86,7 +86,7 @@ TEST(SpatialWallOrder, PointsAreNumberedByTheFirstTriangleThatHasThem)
   EXPECT_EQ(nextWithin, static_cast<PointId>(mesh.points.size()));
 }
 
-TEST(SpatialWallOrder, RefusesRanksThatAreTooFew)
+TEST(WallMeshOrder, RefusesRanksThatAreTooFew)
 {
   EXPECT_THROW(OrderWalls(RandomTissue(20), BackwardRanks(19)), std::invalid_argument);
 }
