@@ -13,11 +13,12 @@
 #include "itkGaussianOperator.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIterator.h"
-#include "itkImageRegionIteratorWithIndex.h"
 #include "itkMath.h"
 #include "itkMultiThreaderBase.h"
+#include "itkNearestNeighborInterpolateImageFunction.h"
 #include "itkNeighborhoodOperatorImageFilter.h"
 #include "itkRecursiveGaussianImageFilter.h"
+#include "itkResampleImageFilter.h"
 #include "itkWorkUnitErrors.h"
 #include "vnl/algo/vnl_svd.h"
 #include "vnl/algo/vnl_symmetric_eigensystem.h"
@@ -331,21 +332,18 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::Subsample(const RealImage
   }
   typename RealImageType::PointType origin;
   image->TransformIndexToPhysicalPoint(region.GetIndex(), origin);
-  const auto coarse = RealImageType::New();
-  coarse->SetRegions(size);
-  coarse->SetSpacing(spacing);
-  coarse->SetOrigin(origin);
-  coarse->SetDirection(image->GetDirection());
-  coarse->Allocate();
-  for (ImageRegionIteratorWithIndex<RealImageType> it(coarse, coarse->GetBufferedRegion()); !it.IsAtEnd(); ++it)
-  {
-    IndexType index = region.GetIndex();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] += factors[axis] * it.GetIndex()[axis];
-    }
-    it.Set(image->GetPixel(index));
-  }
+  // Nearest voxels are the very ones that are meant. ShrinkImageFilter would place them half a voxel off at even
+  // factors.
+  const auto sampling = ResampleImageFilter<RealImageType, RealImageType>::New();
+  sampling->SetInput(image);
+  sampling->SetInterpolator(NearestNeighborInterpolateImageFunction<RealImageType>::New());
+  sampling->SetSize(size);
+  sampling->SetOutputSpacing(spacing);
+  sampling->SetOutputOrigin(origin);
+  sampling->SetOutputDirection(image->GetDirection());
+  sampling->Update();
+  const RealImagePointer coarse = sampling->GetOutput();
+  coarse->DisconnectPipeline();
   return coarse;
 }
 

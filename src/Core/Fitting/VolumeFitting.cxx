@@ -21,8 +21,13 @@ namespace tissue
 {
 namespace
 {
-constexpr int    MaximumIterations = 100;
+/** The most iterations of the conjugate gradients. Cells have few neighbours, and tens suffice. */
+constexpr int MaximumIterations = 100;
+/** The residual of the pressures over the wanted changes of volume at which the iterations end. Steps are exact to
+ * first order only, so a smaller one would gain nothing. */
 constexpr double Tolerance = 1e-6;
+/** What is added to the diagonal of the matrix, over the diagonal: volumes of cells that enclose each other depend on
+ * each other, and the matrix would be singular. */
 constexpr double Damping = 1e-3;
 
 /** How the volume of a cell changes with a point. */

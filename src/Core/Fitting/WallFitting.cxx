@@ -33,21 +33,30 @@ namespace tissue
 {
 namespace
 {
-constexpr int    UntanglingSweeps = 60;
+/** The most sweeps of the untangling. Real and synthetic stars are free of crossings after far fewer; what is left then
+ * stays, and is reported. */
+constexpr int UntanglingSweeps = 60;
+/** The largest change of a cell's volume in one step, over the wanted volume: the step is exact to first order only. */
 constexpr double VolumeShare = 0.15;
+/** Edges grow with a cell's volume to this power, so that small cells get more triangles than their share of the area.
+ */
 constexpr double SizeExponent = 0.25;
-/** Of the time, for the progress. */
+/** What the star takes of the time, for the progress. */
 constexpr double StarShare = 0.1;
-constexpr int    StarRounds = 8;
-/** Rounds after the first, second and third remeshing. */
+/** Steps towards the volumes where the walls stay stars. */
+constexpr int StarRounds = 8;
+/** The rounds of projection, improvement and volumes after the first, the second and the third remeshing. */
 constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
-/** At most; cells that the guard holds back get there by small steps. */
+/** The most steps towards the volumes at the end. Cells that the guard holds back get there by small steps. */
 constexpr int LastVolumeSteps = 10;
-/** Of the volumes, relative: nothing is left to do. */
-constexpr double          VolumeTolerance = 1e-9;
+/** The relative difference of a cell's volume from the wanted one below which nothing is left to do. */
+constexpr double VolumeTolerance = 1e-9;
+/** The shares of its way that a point is set back to, one after the other, while it makes triangles cross. */
 const std::vector<double> GuardShares = { 0.3, 0.0 };
+/** The same for the centres of the walls when they are lifted to the image, where the ways are long. */
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
+/** \brief Makes the star of a complex's dual and fits it, and the mesh it is remeshed to, to the label image. */
 class Fitter
 {
 public:
@@ -98,6 +107,9 @@ public:
   void
   FitRemeshed(WallMesh & mesh, double trianglesPerCell, WallFittingStatistics & statistics)
   {
+    // The mesh is remeshed three times, as its lines and walls grow longer on their way to the image. The rounds after
+    // each remeshing project the points, improve the triangles and give the cells their volumes, and take back what
+    // makes triangles cross.
     const double wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
     double       done = 0.0;
     const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
@@ -126,10 +138,12 @@ public:
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
       this->VolumeStep(mesh);
+      done += 1.0;
+      m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
     }
   }
 
-  /** As those of Dualize() are, in the order of the tetrahedra. */
+  /** Numbers the corners as Dualize() does, in the order of the tetrahedra. */
   void
   PutCornersInOrder(WallMesh & mesh) const
   {

@@ -17,8 +17,11 @@ namespace tissue
 {
 namespace
 {
+/** The most cells that may meet at a point, the exterior counted: the dual of a tetrahedron has four. */
 constexpr std::size_t maximalCellsAtPoint = 4;
-constexpr double      degenerateAreaRatio = 1e-12;
+/** A triangle whose area over its longest edge squared is less is taken for degenerate: rounding leaves as much of flat
+ * ones. */
+constexpr double degenerateAreaRatio = 1e-12;
 
 /** Item numbers 0, 1, ... grouped by a key: 32 bits hold those of half-edges, see RequireConsistentIndices. */
 using Groups = CompressedRows<std::uint32_t, std::uint32_t>;
