@@ -8,7 +8,7 @@
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 namespace tissue
 {
@@ -49,56 +49,42 @@ ReadPlane(const LabelVolume & volume, std::int32_t z)
 /** The part that each face at the upper side of a voxel of a plane belongs to, by axis. */
 using PlaneFaces = std::array<std::vector<FaceId>, 3>;
 
+/** Faces around the edges of another one. */
+using FacesAround = std::array<FaceId, 6>;
+
 /** \brief Finds the walls within a slab of planes, and keeps the faces of its first and of its last plane: there the
- * next slabs go on. */
+ * next slabs go on.
+ *
+ * Each face is joined to those around its edges that come before it, which are six for each axis: every two faces
+ * around a voxel edge are met when the later one comes. */
 class WallScan
 {
 public:
   WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
     : m_Plane(ReadPlane(volume, begin))
   {
-    const std::size_t size = m_Plane.labels.size();
+    const std::vector<FaceId> noFaces(m_Plane.labels.size(), None);
+    m_Below = { { noFaces, noFaces, noFaces } };
+    m_Last = m_Below;
     for (std::int32_t z = begin; z < end; ++z)
     {
-      const LabelPlane next = ReadPlane(volume, z + 1);
-      PlaneFaces       below = std::move(m_Last);
-      m_Last = {
-        { std::vector<FaceId>(size, None), std::vector<FaceId>(size, None), std::vector<FaceId>(size, None) }
-      };
-      this->FindFaces(next, below, z);
-      this->JoinWithin();
+      LabelPlane next = ReadPlane(volume, z + 1);
+      std::swap(m_Below, m_Last);
+      this->ClearLast();
+      this->FindFaces(next, z);
       if (z == begin)
       {
         m_First = m_Last;
       }
-      else
-      {
-        JoinAcross(m_Plane.width, below, m_Last, m_Parts, m_Parts, 0, 0, m_Sets);
-      }
-      m_Plane = next;
+      m_Plane = std::move(next);
     }
   }
 
-  /** Joins the faces around the voxel edges between two planes of faces, the upper one of which may be of the next
-   * slab. */
-  static void
-  JoinAcross(std::int32_t width, const PlaneFaces & lower, const PlaneFaces & upper,
-             const std::vector<Part> & lowerParts, const std::vector<Part> & upperParts, FaceId lowerOffset,
-             FaceId upperOffset, DisjointSets & sets)
+  /** Faces around the lower edges of a face of a plane that are below the plane. */
+  static std::array<FaceId, 3>
+  Under(const PlaneFaces & below, int axis, std::size_t p, std::size_t width)
   {
-    const auto join = [&](FaceId sideBelow, FaceId sideAbove, FaceId flatNear, FaceId flatFar) {
-      const auto cells = [&](int i, FaceId face) { return i == 1 ? upperParts[face].cells : lowerParts[face].cells; };
-      JoinAround(
-        { { sideBelow, sideAbove, flatNear, flatFar } },
-        cells,
-        [&](int i, FaceId face) { return face + (i == 1 ? upperOffset : lowerOffset); },
-        sets);
-    };
-    for (std::size_t p = 0; p + static_cast<std::size_t>(width) < lower[0].size(); ++p)
-    {
-      join(lower[0][p], upper[0][p], lower[2][p], lower[2][p + 1]);
-      join(lower[1][p], upper[1][p], lower[2][p], lower[2][p + static_cast<std::size_t>(width)]);
-    }
+    return { { below[axis][p], below[2][p], below[2][p + (axis == 0 ? 1 : width)] } };
   }
 
   const std::vector<Part> &
@@ -123,138 +109,192 @@ public:
   }
 
 private:
-  /** Of the four faces around a voxel edge, those between the same two cells are of one wall. */
-  template <typename TCells, typename TIndex>
-  static void
-  JoinAround(const std::array<FaceId, 4> & faces, const TCells & cells, const TIndex & index, DisjointSets & sets)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      for (int j = i + 1; faces[i] != None && j < 4; ++j)
-      {
-        if (faces[j] != None && index(i, faces[i]) != index(j, faces[j]) && cells(i, faces[i]) == cells(j, faces[j]))
-        {
-          sets.Unite(index(i, faces[i]), index(j, faces[j]));
-        }
-      }
-    }
-  }
-
-  /** The part of a face, that of the first face around it that is of the same cells: most faces need no new part. */
-  template <std::size_t VCount>
+  /** Most faces need no new part: they get that of one around them that is of the same cells. */
   FaceId
-  AddFace(VertexId a, VertexId b, const std::array<FaceId, VCount> & around, std::array<std::int64_t, 3> center)
+  AddFace(VertexId a, VertexId b, const FacesAround & around, const std::array<std::int64_t, 3> & center)
   {
     const VertexPair cells{ { std::min(a, b), std::max(a, b) } };
-    const auto       found = std::find_if(
-      around.begin(), around.end(), [&](FaceId face) { return face != None && m_Parts[face].cells == cells; });
-    const FaceId face = found != around.end() ? *found : static_cast<FaceId>(m_Sets.Add());
-    if (found == around.end())
+    FaceId           face = None;
+    for (const FaceId other : around)
     {
+      if (other == None || other == face || m_Parts[other].cells != cells)
+      {
+        continue;
+      }
+      if (face == None)
+      {
+        face = other;
+      }
+      else
+      {
+        m_Sets.Unite(face, other);
+      }
+    }
+    if (face == None)
+    {
+      face = static_cast<FaceId>(m_Sets.Add());
       m_Parts.push_back({ cells, 0, { { 0, 0, 0 } } });
     }
-    ++m_Parts[face].numberOfFaces;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      m_Parts[face].sum[axis] += center[axis];
-    }
+    Part & part = m_Parts[face];
+    ++part.numberOfFaces;
+    std::transform(part.sum.begin(), part.sum.end(), center.begin(), part.sum.begin(), std::plus<>());
     return face;
   }
 
   void
-  FindFaces(const LabelPlane & next, const PlaneFaces & below, std::int32_t z)
+  FindFaces(const LabelPlane & next, std::int32_t z)
   {
     const std::size_t width = static_cast<std::size_t>(m_Plane.width);
     const auto &      labels = m_Plane.labels;
-    const auto        under = [&](int axis, std::size_t p) { return below[axis].empty() ? None : below[axis][p]; };
     for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
     {
       for (std::int32_t x = 0; x + 1 < m_Plane.width; ++x)
       {
-        const std::size_t                 p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        const std::array<std::int64_t, 3> twice{ { 2 * (x - 1), 2 * (y - 1), 2 * z } };
-        const VertexId                    label = labels[p];
-        // What is behind a voxel exists for all but the first of a row or plane, where faces do not occur.
-        if (labels[p + 1] != label)
+        const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+        const VertexId    label = labels[p];
+        if (labels[p + 1] != label || labels[p + width] != label || next.labels[p] != label)
         {
-          m_Last[0][p] = this->AddFace<6>(label,
-                                          labels[p + 1],
-                                          { { m_Last[0][p - width],
-                                              m_Last[1][p - width],
-                                              m_Last[1][p - width + 1],
-                                              under(0, p),
-                                              under(2, p),
-                                              under(2, p + 1) } },
-                                          { { twice[0] + 1, twice[1], twice[2] } });
-        }
-        if (labels[p + width] != label)
-        {
-          m_Last[1][p] = this->AddFace<6>(
-            label,
-            labels[p + width],
-            { { m_Last[1][p - 1], m_Last[0][p - 1], m_Last[0][p], under(1, p), under(2, p), under(2, p + width) } },
-            { { twice[0], twice[1] + 1, twice[2] } });
-        }
-        if (next.labels[p] != label)
-        {
-          m_Last[2][p] = this->AddFace<6>(label,
-                                          next.labels[p],
-                                          { { m_Last[2][p - 1],
-                                              m_Last[2][p - width],
-                                              m_Last[0][p],
-                                              m_Last[1][p],
-                                              m_Last[0][p - 1],
-                                              m_Last[1][p - width] } },
-                                          { { twice[0], twice[1], twice[2] + 1 } });
+          this->AddFacesOfVoxel(p,
+                                { { label, labels[p + 1], labels[p + width], next.labels[p] } },
+                                { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
         }
       }
     }
   }
 
-  /** Joins the faces around the voxel edges that stand on the plane. */
+  /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
+   * has none at its lower sides. */
   void
-  JoinWithin()
+  AddFacesOfVoxel(std::size_t p, const std::array<VertexId, 4> & labels, const std::array<std::int64_t, 3> & twice)
   {
     const std::size_t width = static_cast<std::size_t>(m_Plane.width);
-    const auto        cells = [&](int, FaceId face) { return m_Parts[face].cells; };
-    for (std::size_t p = 0; p + width < m_Last[0].size(); ++p)
+    const auto &      last = m_Last;
+    m_Touched.push_back(p);
+    if (labels[1] != labels[0])
     {
-      JoinAround(
-        { { m_Last[0][p], m_Last[0][p + width], m_Last[1][p], m_Last[1][p + 1] } },
-        cells,
-        [](int, FaceId face) { return face; },
-        m_Sets);
-      JoinAround(
-        { { m_Last[0][p], m_Last[2][p], m_Last[2][p + 1], None } },
-        cells,
-        [](int, FaceId face) { return face; },
-        m_Sets);
-      JoinAround(
-        { { m_Last[1][p], m_Last[2][p], m_Last[2][p + width], None } },
-        cells,
-        [](int, FaceId face) { return face; },
-        m_Sets);
+      const auto under = Under(m_Below, 0, p, width);
+      m_Last[0][p] = this->AddFace(
+        labels[0],
+        labels[1],
+        { { last[0][p - width], last[1][p - width], last[1][p - width + 1], under[0], under[1], under[2] } },
+        { { twice[0] + 1, twice[1], twice[2] } });
+    }
+    if (labels[2] != labels[0])
+    {
+      const auto under = Under(m_Below, 1, p, width);
+      m_Last[1][p] = this->AddFace(labels[0],
+                                   labels[2],
+                                   { { last[1][p - 1], last[0][p - 1], last[0][p], under[0], under[1], under[2] } },
+                                   { { twice[0], twice[1] + 1, twice[2] } });
+    }
+    if (labels[3] != labels[0])
+    {
+      m_Last[2][p] = this->AddFace(
+        labels[0],
+        labels[3],
+        { { last[2][p - 1], last[2][p - width], last[0][p], last[1][p], last[0][p - 1], last[1][p - width] } },
+        { { twice[0], twice[1], twice[2] + 1 } });
     }
   }
 
-  LabelPlane        m_Plane;
-  PlaneFaces        m_First;
-  PlaneFaces        m_Last;
-  std::vector<Part> m_Parts;
-  DisjointSets      m_Sets;
+  /** Takes out the faces of the plane before the one below, whose memory is used again. */
+  void
+  ClearLast()
+  {
+    for (const std::size_t p : m_TouchedBelow)
+    {
+      for (auto & ofAxis : m_Last)
+      {
+        ofAxis[p] = None;
+      }
+    }
+    m_TouchedBelow.swap(m_Touched);
+    m_Touched.clear();
+  }
+
+  LabelPlane               m_Plane;
+  PlaneFaces               m_First;
+  PlaneFaces               m_Below;
+  PlaneFaces               m_Last;
+  std::vector<std::size_t> m_Touched;
+  std::vector<std::size_t> m_TouchedBelow;
+  std::vector<Part>        m_Parts;
+  DisjointSets             m_Sets;
 };
 
-/** The walls of parts that have been joined to sets. */
-std::vector<ImageWall>
-GatherWalls(const LabelVolume & volume, const std::vector<Part> & parts, DisjointSets & sets)
+/** The parts of the slabs so far, and what is joined of them. */
+class WallJoin
 {
-  std::vector<Part> joined(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i)
+public:
+  void
+  Append(WallScan & scan)
   {
-    Part & whole = joined[static_cast<std::size_t>(sets.Find(static_cast<std::int64_t>(i)))];
-    whole.cells = parts[i].cells;
-    whole.numberOfFaces += parts[i].numberOfFaces;
-    std::transform(whole.sum.begin(), whole.sum.end(), parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
+    m_Offset = m_Parts.size();
+    m_Parts.insert(m_Parts.end(), scan.GetParts().begin(), scan.GetParts().end());
+    for (std::size_t k = 0; k < scan.GetParts().size(); ++k)
+    {
+      m_Sets.Add();
+      m_Sets.Unite(this->Index(k), this->Index(static_cast<std::size_t>(scan.GetSets().Find(static_cast<FaceId>(k)))));
+    }
+  }
+
+  /** Joins the first plane of the slab that was appended last to the last one of that before, whose parts begin at
+   * lowerOffset. */
+  void
+  JoinSlabs(const PlaneFaces & below, const PlaneFaces & first, std::size_t lowerOffset, std::size_t width)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (std::size_t p = 0; p + width < first[axis].size(); ++p)
+      {
+        for (const FaceId under : WallScan::Under(below, axis, p, width))
+        {
+          if (first[axis][p] == None || under == None)
+          {
+            continue;
+          }
+          const std::size_t upper = m_Offset + static_cast<std::size_t>(first[axis][p]);
+          const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
+          if (m_Parts[upper].cells == m_Parts[lower].cells)
+          {
+            m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
+          }
+        }
+      }
+    }
+  }
+
+  std::size_t
+  GetOffset() const
+  {
+    return m_Offset;
+  }
+
+  std::vector<ImageWall>
+  GatherWalls(const LabelVolume & volume);
+
+private:
+  std::int64_t
+  Index(std::size_t part) const
+  {
+    return static_cast<std::int64_t>(m_Offset + part);
+  }
+
+  std::vector<Part> m_Parts;
+  DisjointSets      m_Sets;
+  std::size_t       m_Offset = 0;
+};
+
+std::vector<ImageWall>
+WallJoin::GatherWalls(const LabelVolume & volume)
+{
+  std::vector<Part> joined(m_Parts.size());
+  for (std::size_t i = 0; i < m_Parts.size(); ++i)
+  {
+    Part & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
+    whole.cells = m_Parts[i].cells;
+    whole.numberOfFaces += m_Parts[i].numberOfFaces;
+    std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
   }
   std::vector<ImageWall> walls;
   for (const Part & part : joined)
@@ -288,33 +328,19 @@ FindImageWalls(const LabelVolume & volume, const Execution & execution)
     const auto begin = static_cast<std::int32_t>(i) * planesPerSlab - 1;
     scans[i].emplace_back(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
   });
-  std::vector<Part> parts;
-  DisjointSets      sets;
-  FaceId            lowerOffset = 0;
+  WallJoin join;
   for (std::size_t i = 0; i < count; ++i)
   {
-    WallScan &   scan = scans[i].front();
-    const FaceId offset = static_cast<FaceId>(parts.size());
-    parts.insert(parts.end(), scan.GetParts().begin(), scan.GetParts().end());
-    for (std::size_t k = 0; k < scan.GetParts().size(); ++k)
-    {
-      sets.Add();
-      sets.Unite(offset + static_cast<FaceId>(k), offset + scan.GetSets().Find(static_cast<std::int64_t>(k)));
-    }
+    const std::size_t lowerOffset = join.GetOffset();
+    join.Append(scans[i].front());
     if (i > 0)
     {
-      const WallScan & before = scans[i - 1].front();
-      WallScan::JoinAcross(volume.size[0] + 2,
-                           before.GetLast(),
-                           scan.GetFirst(),
-                           before.GetParts(),
-                           scan.GetParts(),
-                           lowerOffset,
-                           offset,
-                           sets);
+      join.JoinSlabs(scans[i - 1].front().GetLast(),
+                     scans[i].front().GetFirst(),
+                     lowerOffset,
+                     static_cast<std::size_t>(volume.size[0]) + 2);
     }
-    lowerOffset = offset;
   }
-  return GatherWalls(volume, parts, sets);
+  return join.GatherWalls(volume);
 }
 } // namespace tissue

@@ -137,21 +137,24 @@ private:
     return LeastCostTriangulation(n, cost);
   }
 
-  /** The best split of an edge, if it lowers the energy: only where a wall is missing, as two corners that are missing
-   * outweigh no two false walls. */
+  /** The best split of an edge, if it lowers the energy. */
   bool
   TryToSplit(const EdgeRing & ring)
   {
     const auto &                t = m_Complex.GetTetrahedron(ring[0].tetrahedron).vertices;
+    const VertexPair            ends{ { t[ring[0].from], t[ring[0].to] } };
     const auto                  vertices = m_Complex.GetRingVertices(ring);
-    const bool                  isEdgeMissing = m_Energy.CostOfEdge(t[ring[0].from], t[ring[0].to]) < 0.0;
+    const bool                  isEdgeMissing = m_Energy.CostOfEdge(ends[0], ends[1]) < 0.0;
     double                      least = NoDifference;
     std::optional<MoveProposal> best;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
       {
-        if (vertices[i] == vertices[j] || (!isEdgeMissing && m_Energy.CostOfEdge(vertices[i], vertices[j]) > 0.0))
+        // Two walls and two corners of the same cells each: where none is missing the split cannot pay.
+        if (vertices[i] == vertices[j] ||
+            (!isEdgeMissing && m_Energy.CostOfEdge(vertices[i], vertices[j]) > 0.0 &&
+             m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) > 0.0))
         {
           continue;
         }
