@@ -97,6 +97,39 @@ InsertDigon(const GeneralComplex & complex, VertexPair ends, const TwoSides & fi
   return move;
 }
 
+/** A pyramid with the apex a over the quadrilateral b, c, e, d on each side of the two triangles, which are glued to
+ * each other wherever they do not meet the triangles. */
+GeneralMove
+MakeBridge(const GeneralComplex & complex, const std::array<VertexId, 3> & own, const std::array<VertexId, 3> & other,
+           const Side & first, const Side & second)
+{
+  const auto [a, b, c] = own;
+  const auto [same, d, e] = other;
+  GeneralMove move;
+  move.created.push_back({ { { a, b, c, e } } });
+  move.created.push_back({ { { a, b, e, d } } });
+  move.created.push_back({ { { b, a, c, e } } });
+  move.created.push_back({ { { b, a, e, d } } });
+  // Within the pyramids, their bases, and their sides (a, c, e) and (a, b, d).
+  move.gluings.push_back({ CreatedSide(0, 2), CreatedSide(1, 3) });
+  move.gluings.push_back({ CreatedSide(2, 2), CreatedSide(3, 3) });
+  move.gluings.push_back({ CreatedSide(0, 0), CreatedSide(2, 1) });
+  move.gluings.push_back({ CreatedSide(1, 0), CreatedSide(3, 1) });
+  move.gluings.push_back({ CreatedSide(0, 1), CreatedSide(2, 0) });
+  move.gluings.push_back({ CreatedSide(1, 2), CreatedSide(3, 2) });
+  const auto insert = [&](const Side & side, std::size_t k, int i, std::size_t l, int j) {
+    const Side mate = complex.GetMate(side);
+    const bool isSame = GeneralComplex::AreGluable(
+      move.created[k].vertices, i, complex.GetTetrahedron(side.tetrahedron).vertices, side.opposite);
+    move.gluings.push_back({ CreatedSide(k, i), isSame ? side : mate, LineOf(complex, side) });
+    move.gluings.push_back({ CreatedSide(l, j), isSame ? mate : side });
+  };
+  insert(first, 0, 3, 2, 3);
+  insert(second, 1, 1, 3, 0);
+  move.createdEdges = { Ascending(b, e), Ascending(c, e), Ascending(b, d) };
+  return move;
+}
+
 VertexPair
 EndsOf(const GeneralComplex & complex, const EdgeRing & ring)
 {
@@ -355,6 +388,44 @@ ReglueCrosswise(const GeneralComplex & complex, const Side & first, const Side &
   proposal.move.gluings.push_back({ first, far, LineOf(complex, first) });
   proposal.move.gluings.push_back({ near, firstMate, LineOf(complex, near) });
   return proposal;
+}
+
+MoveProposal
+BridgeTriangles(const GeneralComplex & complex, const Side & first, const Side & second)
+{
+  const auto      verticesOf = [&](const Side & side) { return complex.GetTetrahedron(side.tetrahedron).vertices; };
+  VertexQuadruple t = verticesOf(first);
+  const VertexQuadruple   u = verticesOf(second);
+  std::array<VertexId, 3> own{ { 0, 0, 0 } };   // a, b, c
+  std::array<VertexId, 3> other{ { 0, 0, 0 } }; // a, d, e
+  int                     common = 0;
+  int                     ends = 1;
+  int                     otherEnds = 1;
+  for (int i = 0; i < 4; ++i)
+  {
+    const int  inSecond = LocalIndex(u, t[i]);
+    const int  inFirst = LocalIndex(t, u[i]);
+    const bool isCommon = i != first.opposite && inSecond >= 0 && inSecond != second.opposite;
+    const bool isOtherCommon = i != second.opposite && inFirst >= 0 && inFirst != first.opposite;
+    common += isCommon ? 1 : 0;
+    if (common > 1)
+    {
+      return { MoveVerdict::DifferentVertices, {} };
+    }
+    if (i != first.opposite && (isCommon || ends < 3))
+    {
+      own[isCommon ? 0 : ends++] = t[i];
+    }
+    if (i != second.opposite && (isOtherCommon || otherEnds < 3))
+    {
+      other[isOtherCommon ? 0 : otherEnds++] = u[i];
+    }
+  }
+  if (common != 1)
+  {
+    return { MoveVerdict::DifferentVertices, {} };
+  }
+  return { MoveVerdict::Legal, MakeBridge(complex, own, other, first, second) };
 }
 
 MoveProposal

@@ -83,6 +83,13 @@ JoinEdges(const GeneralComplex & complex, const EdgeRing & first, std::size_t i,
 MoveProposal
 ReglueCrosswise(const GeneralComplex & complex, const Side & first, const Side & second);
 
+/** Two triangles (a, b, c) and (a, d, e) of five different vertices, a the common one, are opened and joined by four
+ * tetrahedra: a's links at the two become one, by a connected sum, and all others stay what they are. The last resort
+ * where two parts of a complex have but one cell in common: it makes three edges, between b, c and d, e. Refused:
+ * DifferentVertices (the two have not just one in common). */
+MoveProposal
+BridgeTriangles(const GeneralComplex & complex, const Side & first, const Side & second);
+
 /** A triangle is opened and filled by two tetrahedra with a vertex that is in none yet: a cell that touches three
  * others, by one wall each. Refused: JoinsVertexToItself (the vertex is one of the triangle's). */
 MoveProposal
