@@ -167,30 +167,42 @@ FindLargest(Pieces & pieces, VertexId numberOfVertices)
 /** Faces that each fragment has in common with each other piece. */
 using Contacts = std::map<RunId, std::map<RunId, std::int64_t>>;
 
-class Absorption
+class FragmentSearch
 {
 public:
-  Absorption(LabelVolume & volume, VertexId numberOfVertices)
-    : m_Volume(volume)
+  FragmentSearch(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumVoxels)
+    : m_Size(volume.size[0])
+    , m_NumberOfVertices(numberOfVertices)
+    , m_MinimumVoxels(minimumVoxels)
     , m_Pieces(volume)
     , m_Largest(FindLargest(m_Pieces, numberOfVertices))
   {}
 
-  std::vector<AbsorbedFragment>
+  Fragments
   Run()
   {
+    Fragments result;
+    result.numberOfVertices = m_NumberOfVertices;
+    const auto numberOfRuns = static_cast<RunId>(m_Pieces.GetRuns().size());
+    for (RunId run = 0; run < numberOfRuns; ++run)
+    {
+      if (m_Pieces.PieceOf(run) == run && this->IsFragment(run) && this->VoxelsOf(run) >= m_MinimumVoxels)
+      {
+        m_Vertex.emplace(run, result.numberOfVertices++);
+      }
+    }
+    const std::map<RunId, VertexId> large = m_Vertex;
     this->FindContacts();
-    this->Choose();
-    std::vector<AbsorbedFragment> absorbed;
-    for (const auto & [fragment, into] : m_Into)
+    this->ChooseForSmall();
+    for (const auto & [piece, vertex] : m_Vertex)
     {
-      absorbed.push_back({ this->VertexOf(fragment), into, m_Largest.voxels[static_cast<std::size_t>(fragment)] });
+      result.fragments.push_back({ this->VertexOf(piece), this->VoxelsOf(piece), vertex, large.count(piece) != 0 });
     }
-    if (!absorbed.empty())
+    if (!result.fragments.empty())
     {
-      this->Relabel();
+      this->AppendRanges(large, result);
     }
-    return absorbed;
+    return result;
   }
 
 private:
@@ -198,6 +210,12 @@ private:
   VertexOf(RunId piece) const
   {
     return m_Pieces.GetRuns()[static_cast<std::size_t>(piece)].vertex;
+  }
+
+  std::int64_t
+  VoxelsOf(RunId piece) const
+  {
+    return m_Largest.voxels[static_cast<std::size_t>(piece)];
   }
 
   bool
@@ -238,7 +256,7 @@ private:
   /** In rounds: the fragments of a round go into pieces that stay, or that have found their place in an earlier one.
    * Two fragments that went into each other's cells at once would swap labels for ever. */
   void
-  Choose()
+  ChooseForSmall()
   {
     std::map<RunId, VertexId> round;
     do
@@ -249,53 +267,68 @@ private:
         std::map<VertexId, std::int64_t> ofVertex;
         for (const auto & [other, count] : faces)
         {
-          const auto known = m_Into.find(other);
-          if (!this->IsFragment(other) || known != m_Into.end())
+          const auto known = m_Vertex.find(other);
+          if (!this->IsFragment(other) || known != m_Vertex.end())
           {
-            ofVertex[known != m_Into.end() ? known->second : this->VertexOf(other)] += count;
+            ofVertex[known != m_Vertex.end() ? known->second : this->VertexOf(other)] += count;
           }
         }
-        if (m_Into.count(fragment) == 0 && !ofVertex.empty())
+        if (m_Vertex.count(fragment) == 0 && !ofVertex.empty())
         {
           const auto most = std::max_element(
             ofVertex.begin(), ofVertex.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
           round.emplace(fragment, most->first);
         }
       }
-      m_Into.insert(round.begin(), round.end());
+      m_Vertex.insert(round.begin(), round.end());
     } while (!round.empty());
   }
 
   void
-  Relabel()
+  AppendRanges(const std::map<RunId, VertexId> & large, Fragments & result)
   {
-    const auto & runs = m_Pieces.GetRuns();
     for (std::size_t row = 0; row < m_Pieces.NumberOfRows(); ++row)
     {
-      const auto begin = m_Volume.vertices.begin() + static_cast<std::ptrdiff_t>(row) * m_Volume.size[0];
+      const std::size_t first = row * static_cast<std::size_t>(m_Size);
       for (RunId run = m_Pieces.RowBegin(row); run < m_Pieces.RowBegin(row + 1); ++run)
       {
-        const auto at = m_Into.find(m_Pieces.PieceOf(run));
-        if (at != m_Into.end())
+        const auto at = m_Vertex.find(m_Pieces.PieceOf(run));
+        if (at != m_Vertex.end())
         {
-          const auto & r = runs[static_cast<std::size_t>(run)];
-          std::fill(begin + r.begin, begin + r.end, at->second);
+          const auto & r = m_Pieces.GetRuns()[static_cast<std::size_t>(run)];
+          auto &      ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
+          ranges.push_back(
+            { first + static_cast<std::size_t>(r.begin), first + static_cast<std::size_t>(r.end), at->second });
         }
       }
     }
   }
 
-  LabelVolume &             m_Volume;
-  Pieces                    m_Pieces;
-  LargestPieces             m_Largest;
-  Contacts                  m_Contacts;
-  std::map<RunId, VertexId> m_Into;
+  std::int32_t  m_Size;
+  VertexId      m_NumberOfVertices;
+  std::int64_t  m_MinimumVoxels;
+  Pieces        m_Pieces;
+  LargestPieces m_Largest;
+  Contacts      m_Contacts;
+  /** The vertex of each fragment, large or small. */
+  std::map<RunId, VertexId> m_Vertex;
 };
 } // namespace
 
-std::vector<AbsorbedFragment>
-AbsorbFragments(LabelVolume & volume, VertexId numberOfVertices)
+Fragments
+FindFragments(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumVoxels)
 {
-  return Absorption(volume, numberOfVertices).Run();
+  return FragmentSearch(volume, numberOfVertices, minimumVoxels).Run();
+}
+
+void
+Relabel(LabelVolume & volume, const std::vector<VoxelRange> & ranges)
+{
+  for (const VoxelRange & range : ranges)
+  {
+    std::fill(volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.begin),
+              volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.end),
+              range.vertex);
+  }
 }
 } // namespace tissue
