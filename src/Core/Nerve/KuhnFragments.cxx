@@ -296,7 +296,7 @@ private:
         if (at != m_Vertex.end())
         {
           const auto & r = m_Pieces.GetRuns()[static_cast<std::size_t>(run)];
-          auto &      ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
+          auto &       ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
           ranges.push_back(
             { first + static_cast<std::size_t>(r.begin), first + static_cast<std::size_t>(r.end), at->second });
         }

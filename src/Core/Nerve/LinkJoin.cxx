@@ -25,6 +25,10 @@ EdgesByEnd(const GeneralComplex & complex, const LinkSurface & surface)
   }
   return edges;
 }
+
+/** Places of one move that are judged at most: a cell of many walls to the exterior has more than are worth the time,
+ * and the best of these is hardly worse. */
+constexpr int MaximumNumberOfProposals = 2000;
 } // namespace
 
 LinkJoin::LinkJoin(GeneralComplex & complex, const VertexLinks & links, const TissuePlaces & places)
@@ -63,6 +67,7 @@ LinkJoin::Step(VertexId v)
     return a.GetTriangles().size() > b.GetTriangles().size();
   });
   m_Best.clear();
+  m_NumberOfProposals = 0;
   const RepairKind kind = this->JoinAtEdges(true)    ? RepairKind::JoinedAtExterior
                           : this->JoinAtEdges(false) ? RepairKind::JoinedAtCell
                           : this->GlueCrosswise(v)   ? RepairKind::GluedCrosswise
@@ -148,8 +153,9 @@ LinkJoin::ConsiderJoin(const LocalEdge & first, const LocalEdge & second, Vertex
     for (std::size_t j = 0; j < two.size(); ++j)
     {
       const MoveProposal proposal = JoinEdges(m_Complex, one, i, two, j);
-      if (proposal)
+      if (proposal && m_NumberOfProposals < MaximumNumberOfProposals)
       {
+        ++m_NumberOfProposals;
         this->Consider(proposal, m_Energy.Difference(m_Complex, proposal.move), partner);
       }
     }
@@ -170,7 +176,7 @@ LinkJoin::JoinAtEdges(bool isExterior)
         continue;
       }
       const auto range = edges.equal_range(partner);
-      for (auto it = range.first; it != range.second; ++it)
+      for (auto it = range.first; it != range.second && m_NumberOfProposals < MaximumNumberOfProposals; ++it)
       {
         // Within one link of a cell this would make a handle of it.
         if (isExterior || this->LinkAtEnd(it->second) != this->LinkAtEnd(second))

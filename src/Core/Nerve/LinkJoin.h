@@ -104,6 +104,7 @@ private:
   /** The surfaces of the cell in hand, the largest first. */
   std::vector<LinkSurface> m_Surfaces;
   std::vector<Choice>      m_Best;
+  int                      m_NumberOfProposals = 0;
 };
 } // namespace tissue
 

@@ -164,8 +164,9 @@ TEST(NerveRepair, SaysWhatHasNoComplexAtAll)
 
 TEST(NerveRepair, OfNoiseLeavesOnlyHandles)
 {
-  int handles = 0;
-  int repairs = 0;
+  int                  handles = 0;
+  int                  repairs = 0;
+  std::set<RepairKind> met;
   for (std::uint64_t seed = 1; seed <= 150; ++seed)
   {
     const auto  edge = static_cast<std::int32_t>(3 + seed % 8);
@@ -177,6 +178,7 @@ TEST(NerveRepair, OfNoiseLeavesOnlyHandles)
     repairs += static_cast<int>(repaired.records.size());
     Descend(repaired.nerve.complex, repaired.places, PlacePreferences::WallsFirst());
     const auto kinds = KindsOf(repaired.records);
+    met.insert(kinds.begin(), kinds.end());
     for (const std::string & violation : FindViolations(repaired.nerve.complex))
     {
       const bool isHandle = violation.find("is no sphere") != std::string::npos;
@@ -186,5 +188,9 @@ TEST(NerveRepair, OfNoiseLeavesOnlyHandles)
     EXPECT_TRUE(kinds.count(RepairKind::NotRepaired) == 0 || repaired.nerve.complex.NumberOfTetrahedra() == 0) << seed;
   }
   EXPECT_GT(repairs, 100);
+  EXPECT_EQ(met.count(RepairKind::JoinedAtExterior), 1u);
+  EXPECT_EQ(met.count(RepairKind::GluedCrosswise), 1u);
+  EXPECT_EQ(met.count(RepairKind::FalseDigon), 1u);
+  EXPECT_EQ(met.count(RepairKind::PutIntoTriangle), 1u);
   EXPECT_LT(handles, 10) << "of cells that are rings";
 }
