@@ -55,7 +55,7 @@ struct Fragments
  * The image's places are to be found with the large fragments relabelled alone: what small ones touch, their cells do.
  * The nerve is to be made with both relabelled. */
 Fragments
-FindFragments(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumVoxels = 64);
+FindFragments(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumVoxels = 4);
 
 /** Gives the voxels of the ranges their vertices. */
 void

@@ -86,6 +86,28 @@ LinkJoin::Consider(const MoveProposal & proposal, double cost, VertexId partner)
   }
 }
 
+void
+LinkJoin::Meet(const Side & a, const Side & b)
+{
+  const VertexQuadruple & t = m_Complex.GetTetrahedron(a.tetrahedron).vertices;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (i == a.opposite)
+    {
+      continue;
+    }
+    const auto     j = static_cast<std::size_t>(LocalIndex(m_Complex.GetTetrahedron(b.tetrahedron).vertices, t[i]));
+    std::int32_t & here = m_LinkOf[static_cast<std::size_t>(a.tetrahedron)][static_cast<std::size_t>(i)];
+    std::int32_t & there = m_LinkOf[static_cast<std::size_t>(b.tetrahedron)][j];
+    if (here >= 0 && there >= 0)
+    {
+      m_Sets.Unite(here, there);
+    }
+    here = here < 0 ? there : here;
+    there = there < 0 ? here : there;
+  }
+}
+
 bool
 LinkJoin::Carry()
 {
@@ -101,27 +123,6 @@ LinkJoin::Carry()
   {
     m_LinkOf[static_cast<std::size_t>(id)].fill(-1);
   }
-  // Two tetrahedra that are glued have the links of their three common vertices in common. Those of the created ones
-  // come from those around them, and what meets at them has become one.
-  const auto meet = [&](const Side & a, const Side & b) {
-    const VertexQuadruple & t = m_Complex.GetTetrahedron(a.tetrahedron).vertices;
-    for (int i = 0; i < 4; ++i)
-    {
-      if (i == a.opposite)
-      {
-        continue;
-      }
-      const auto     j = static_cast<std::size_t>(LocalIndex(m_Complex.GetTetrahedron(b.tetrahedron).vertices, t[i]));
-      std::int32_t & here = m_LinkOf[static_cast<std::size_t>(a.tetrahedron)][static_cast<std::size_t>(i)];
-      std::int32_t & there = m_LinkOf[static_cast<std::size_t>(b.tetrahedron)][j];
-      if (here >= 0 && there >= 0)
-      {
-        m_Sets.Unite(here, there);
-      }
-      here = here < 0 ? there : here;
-      there = there < 0 ? here : there;
-    }
-  };
   // Twice, as a created one may be glued to another that has not heard of a link yet.
   for (int round = 0; round < 2; ++round)
   {
@@ -129,14 +130,14 @@ LinkJoin::Carry()
     {
       for (int i = 0; i < 4; ++i)
       {
-        meet({ id, i }, m_Complex.GetMate({ id, i }));
+        this->Meet({ id, i }, m_Complex.GetMate({ id, i }));
       }
     }
     for (const GeneralMove::Gluing & gluing : move.gluings)
     {
       if (!GeneralMove::IsCreated(gluing.a.tetrahedron) && !GeneralMove::IsCreated(gluing.b.tetrahedron))
       {
-        meet(gluing.a, gluing.b);
+        this->Meet(gluing.a, gluing.b);
       }
     }
   }

@@ -73,6 +73,11 @@ private:
   void
   Consider(const MoveProposal & proposal, double cost, VertexId partner);
 
+  /** Two tetrahedra that are glued have the links of their three common vertices in common: what is not known of the
+   * one is that of the other, and where both are known they have become one. */
+  void
+  Meet(const Side & a, const Side & b);
+
   /** Carries out the best of the choices, if there is one. */
   bool
   Carry();

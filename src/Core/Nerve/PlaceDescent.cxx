@@ -72,7 +72,7 @@ private:
   {
     for (int i = 0; i < 4; ++i)
     {
-      if (this->TryToApply(SwapTriangle(m_Complex, { id, i })))
+      if (this->TryToSwap({ id, i }))
       {
         return 1;
       }
@@ -106,7 +106,70 @@ private:
     {
       return this->TryToApply(CloseEdge(m_Complex, edge));
     }
-    return this->TryToApply(RemoveEdge(m_Complex, edge, this->BestTriangulation(ring))) || this->TryToSplit(ring);
+    return this->TryToRemove(edge, ring) || this->TryToSplit(ring);
+  }
+
+  bool
+  TryToSwap(const Side & triangle)
+  {
+    const VertexQuadruple & t = m_Complex.GetTetrahedron(triangle.tetrahedron).vertices;
+    const VertexId          a = t[triangle.opposite];
+    const VertexId          b = m_Complex.VertexOpposite(m_Complex.GetMate(triangle));
+    VertexQuadruple         other = t;
+    other[triangle.opposite] = b;
+    double cost =
+      m_Energy.CostOfEdge(a, b) + m_Energy.CostWithoutTetrahedron(t) + m_Energy.CostWithoutTetrahedron(other);
+    for (int i = 0; i < 4; ++i)
+    {
+      if (i != triangle.opposite)
+      {
+        VertexQuadruple created = t;
+        created[i] = b;
+        cost += m_Energy.CostOfTetrahedron(created);
+      }
+    }
+    return cost < NoDifference && this->TryToApply(SwapTriangle(m_Complex, triangle));
+  }
+
+  bool
+  TryToRemove(const LocalEdge & edge, const EdgeRing & ring)
+  {
+    const VertexPair ends = this->EndsOf(ring);
+    double           cost = m_Energy.CostWithoutEdge(ends[0], ends[1]);
+    for (const RingStep & step : ring)
+    {
+      cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
+    }
+    // At the best all diagonals and all tetrahedra over the ring are wanted.
+    const auto n = static_cast<double>(ring.size());
+    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= NoDifference)
+    {
+      return false;
+    }
+    const RingTriangulation triangles = this->BestTriangulation(ring);
+    const auto              vertices = m_Complex.GetRingVertices(ring);
+    for (const auto & [i, j, k] : triangles)
+    {
+      cost += this->CostOfTriangle(ends, vertices, i, j, k);
+    }
+    return !triangles.empty() && cost < NoDifference && this->TryToApply(RemoveEdge(m_Complex, edge, triangles));
+  }
+
+  VertexPair
+  EndsOf(const EdgeRing & ring) const
+  {
+    const VertexQuadruple & t = m_Complex.GetTetrahedron(ring[0].tetrahedron).vertices;
+    return { { t[ring[0].from], t[ring[0].to] } };
+  }
+
+  /** What the two tetrahedra over a triangle of a ring cost, with the diagonal that is its longest side. */
+  double
+  CostOfTriangle(VertexPair ends, const boost::container::small_vector<VertexId, 12> & ring, int i, int j, int k) const
+  {
+    const bool isDiagonal = k - i < static_cast<int>(ring.size()) - 1;
+    return (isDiagonal ? m_Energy.CostOfEdge(ring[i], ring[k]) : 0.0) +
+           m_Energy.CostOfTetrahedron({ { ends[0], ring[i], ring[j], ring[k] } }) +
+           m_Energy.CostOfTetrahedron({ { ends[1], ring[i], ring[j], ring[k] } });
   }
 
   /** The triangulation of a ring that makes the least energy, as far as the parts are independent: a tetrahedron or an
@@ -116,23 +179,15 @@ private:
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const auto       vertices = m_Complex.GetRingVertices(ring);
-    const auto &     t = m_Complex.GetTetrahedron(ring[0].tetrahedron).vertices;
-    const VertexId   u = t[ring[0].from];
-    const VertexId   v = t[ring[0].to];
+    const VertexPair ends = this->EndsOf(ring);
     const int        n = static_cast<int>(vertices.size());
     const auto       cost = [&](int i, int j, int k) {
       const VertexId a = vertices[i];
       const VertexId b = vertices[j];
       const VertexId c = vertices[k];
-      if (a == b || b == c || a == c)
-      {
-        return infinite;
-      }
-      // Costs must not be negative; as every triangulation has as many triangles and diagonals, it may be shifted.
-      const bool   isDiagonal = k - i < n - 1;
-      const double ofDiagonal = isDiagonal ? m_Energy.GetWallWeight() + m_Energy.CostOfEdge(a, c) : 0.0;
-      return ofDiagonal + 2.0 + m_Energy.CostOfTetrahedron({ { u, a, b, c } }) +
-             m_Energy.CostOfTetrahedron({ { v, a, b, c } });
+      // Costs must not be negative; as every triangulation has as many triangles and diagonals, they may be shifted.
+      const double shift = 2.0 + (k - i < n - 1 ? m_Energy.GetWallWeight() : 0.0);
+      return a == b || b == c || a == c ? infinite : shift + this->CostOfTriangle(ends, vertices, i, j, k);
     };
     return LeastCostTriangulation(n, cost);
   }
@@ -141,20 +196,19 @@ private:
   bool
   TryToSplit(const EdgeRing & ring)
   {
-    const auto &                t = m_Complex.GetTetrahedron(ring[0].tetrahedron).vertices;
-    const VertexPair            ends{ { t[ring[0].from], t[ring[0].to] } };
+    const VertexPair            ends = this->EndsOf(ring);
     const auto                  vertices = m_Complex.GetRingVertices(ring);
-    const bool                  isEdgeMissing = m_Energy.CostOfEdge(ends[0], ends[1]) < 0.0;
+    const double                ofEdge = m_Energy.CostOfEdge(ends[0], ends[1]);
     double                      least = NoDifference;
     std::optional<MoveProposal> best;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
       {
-        // Two walls and two corners of the same cells each: where none is missing the split cannot pay.
         if (vertices[i] == vertices[j] ||
-            (!isEdgeMissing && m_Energy.CostOfEdge(vertices[i], vertices[j]) > 0.0 &&
-             m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) > 0.0))
+            ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]) +
+                2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >=
+              NoDifference)
         {
           continue;
         }

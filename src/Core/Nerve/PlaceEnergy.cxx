@@ -185,9 +185,23 @@ PlaceEnergy::CostOfEdge(VertexId u, VertexId v) const
 }
 
 double
-PlaceEnergy::CostOfTetrahedron(VertexQuadruple vertices) const
+PlaceEnergy::CostOfTetrahedron(const VertexQuadruple & vertices) const
 {
   const auto entry = m_Corners.Get(Ascending(vertices));
   return entry.present < entry.wanted ? -1.0 : 1.0;
+}
+
+double
+PlaceEnergy::CostWithoutEdge(VertexId u, VertexId v) const
+{
+  const auto entry = m_Walls.Get({ { std::min(u, v), std::max(u, v) } });
+  return entry.present > entry.wanted ? -m_WallWeight : m_WallWeight;
+}
+
+double
+PlaceEnergy::CostWithoutTetrahedron(const VertexQuadruple & vertices) const
+{
+  const auto entry = m_Corners.Get(Ascending(vertices));
+  return entry.present > entry.wanted ? -1.0 : 1.0;
 }
 } // namespace tissue

@@ -58,13 +58,23 @@ public:
   double
   Total() const;
 
-  /** By how much one more edge of these two vertices, in any order, would change the energy. */
+  /** \name What one edge or tetrahedron more or fewer of these vertices, in any order, would cost.
+   *
+   * The energy is convex in each number: what a move costs is never less than the sum of what its parts would cost one
+   * by one. So a move whose parts cost too much need not be made to be judged.
+   * @{ */
   double
   CostOfEdge(VertexId u, VertexId v) const;
 
-  /** By how much one more tetrahedron of these vertices, in any order, would change the energy. */
   double
-  CostOfTetrahedron(VertexQuadruple vertices) const;
+  CostOfTetrahedron(const VertexQuadruple & vertices) const;
+
+  double
+  CostWithoutEdge(VertexId u, VertexId v) const;
+
+  double
+  CostWithoutTetrahedron(const VertexQuadruple & vertices) const;
+  /** @} */
 
   /** What a wall costs in corners. */
   double
