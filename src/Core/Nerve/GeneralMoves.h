@@ -90,6 +90,14 @@ ReglueCrosswise(const GeneralComplex & complex, const Side & first, const Side &
 MoveProposal
 BridgeTriangles(const GeneralComplex & complex, const Side & first, const Side & second);
 
+/** A handle of the link of a vertex a is cut along a loop of k vertices: triangle i is (a, vertices[i], vertices[i +
+ * 1]), cyclic. All k are opened, and each of the two sides is closed by a fan of k - 2 tetrahedra around the first
+ * vertex; the two fans are glued to each other. A loop of two triangles is glued crosswise. Refused:
+ * JoinsVertexToItself (the first vertex comes again), SameTriangle and DifferentVertices as ReglueCrosswise(). */
+MoveProposal
+CutAlongLoop(const GeneralComplex & complex, VertexId a, const std::vector<Side> & triangles,
+             const std::vector<VertexId> & vertices);
+
 /** A triangle is opened and filled by two tetrahedra with a vertex that is in none yet: a cell that touches three
  * others, by one wall each. Refused: JoinsVertexToItself (the vertex is one of the triangle's). */
 MoveProposal

@@ -17,8 +17,8 @@ namespace tissue
 struct ImageTopologyParameters
 {
   PlacePreferences preferences = PlacePreferences::WallsFirst();
-  /** Voxels from which on a fragment of a cell becomes a vertex of its own. Four, the fewest with a volume, lose no more
-   * of the image's pairs of cells than must be; to mesh them well takes more. */
+  /** Voxels from which on a fragment of a cell becomes a vertex of its own. Four, the fewest with a volume, lose no
+   * more of the image's pairs of cells than must be; to mesh them well takes more. */
   std::int64_t minimumFragmentVoxels = 4;
 };
 

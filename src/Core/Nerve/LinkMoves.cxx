@@ -191,6 +191,56 @@ BridgeTriangles(const GeneralComplex & complex, const Side & first, const Side &
 }
 
 MoveProposal
+CutAlongLoop(const GeneralComplex & complex, VertexId a, const std::vector<Side> & triangles,
+             const std::vector<VertexId> & vertices)
+{
+  const std::size_t k = vertices.size();
+  if (k == 2)
+  {
+    return ReglueCrosswise(complex, triangles[0], triangles[1]);
+  }
+  const VertexId b = vertices[0];
+  if (std::count(vertices.begin(), vertices.end(), b) > 1)
+  {
+    return { MoveVerdict::JoinsVertexToItself, {} };
+  }
+  MoveProposal  proposal;
+  GeneralMove & move = proposal.move;
+  // Front tetrahedra have even numbers, their mirror images odd ones.
+  for (std::size_t i = 1; i + 1 < k; ++i)
+  {
+    move.created.push_back({ { { a, b, vertices[i], vertices[i + 1] } } });
+    move.created.push_back({ { { b, a, vertices[i], vertices[i + 1] } } });
+    const std::size_t front = move.created.size() - 2;
+    move.gluings.push_back({ CreatedSide(front, 0), CreatedSide(front + 1, 1) });
+    if (i > 1)
+    {
+      move.gluings.push_back({ CreatedSide(front - 2, 2), CreatedSide(front, 3) });
+      move.gluings.push_back({ CreatedSide(front - 1, 2), CreatedSide(front + 1, 3) });
+      move.createdEdges.push_back(Ascending(b, vertices[i]));
+    }
+  }
+  const auto insert = [&](const Side & side, std::size_t front, int i, int j) {
+    const Side mate = complex.GetMate(side);
+    const bool isSame = GeneralComplex::AreGluable(
+      move.created[front].vertices, i, complex.GetTetrahedron(side.tetrahedron).vertices, side.opposite);
+    move.gluings.push_back({ CreatedSide(front, i), isSame ? side : mate, LineOf(complex, side) });
+    move.gluings.push_back({ CreatedSide(front + 1, j), isSame ? mate : side });
+  };
+  insert(triangles[0], 0, 3, 3);
+  insert(triangles[k - 1], move.created.size() - 2, 2, 2);
+  for (std::size_t i = 1; i + 1 < k; ++i)
+  {
+    insert(triangles[i], 2 * (i - 1), 1, 0);
+  }
+  for (const VertexId v : vertices)
+  {
+    move.createdEdges.push_back(Ascending(a, v));
+  }
+  return proposal;
+}
+
+MoveProposal
 InsertPillow(const GeneralComplex & complex, const Side & triangle, VertexId vertex)
 {
   const VertexQuadruple & t = complex.GetTetrahedron(triangle.tetrahedron).vertices;

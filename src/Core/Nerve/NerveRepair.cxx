@@ -7,6 +7,7 @@
 #include "Nerve/NerveRepair.h"
 
 #include "Nerve/LinkJoin.h"
+#include "Nerve/LinkLoop.h"
 #include "Nerve/VertexLinks.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
@@ -117,6 +118,69 @@ JoinLinks(GeneralComplex & complex, const TissuePlaces & places, std::vector<Ner
       records.push_back(join.Step(v));
       if (records.back().kind == RepairKind::NotRepaired)
       {
+        break;
+      }
+    }
+  }
+}
+
+/** How far the links of the cells are from spheres: handles, and links too many. */
+std::int64_t
+CountFaults(const VertexLinks & links)
+{
+  std::int64_t faults = 0;
+  for (std::size_t i = 0; i < links.links.size(); ++i)
+  {
+    const VertexLink & link = links.links[i];
+    if (link.vertex != ExteriorVertex)
+    {
+      faults += (2 - link.eulerCharacteristic) / 2 + (i > links.firstOfVertex[link.vertex] ? 1 : 0);
+    }
+  }
+  return faults;
+}
+
+/** Cuts a handle of the link, if that leaves the links of all other cells as good as they are. */
+bool
+CutHandle(GeneralComplex & complex, const VertexLink & link, std::int64_t faults)
+{
+  const Side apex{ link.first, LocalIndex(complex.GetTetrahedron(link.first).vertices, link.vertex) };
+  LinkLoop   loop = FindHandleLoop(complex, LinkSurface(complex, apex));
+  for (std::size_t turn = 0; turn < loop.vertices.size(); ++turn)
+  {
+    // Any vertex of the loop may be that of the fan.
+    std::rotate(loop.vertices.begin(), loop.vertices.begin() + 1, loop.vertices.end());
+    std::rotate(loop.triangles.begin(), loop.triangles.begin() + 1, loop.triangles.end());
+    const MoveProposal proposal = CutAlongLoop(complex, link.vertex, loop.triangles, loop.vertices);
+    if (!proposal)
+    {
+      continue;
+    }
+    const GeneralMove inverse = complex.Apply(proposal.move);
+    if (CountFaults(FindVertexLinks(complex)) < faults)
+    {
+      return true;
+    }
+    complex.Apply(inverse);
+  }
+  return false;
+}
+
+/** Cuts the handles of cells' links, one after the other. */
+void
+CutHandles(GeneralComplex & complex, std::vector<NerveRepairRecord> & records)
+{
+  bool hasCut = true;
+  while (hasCut)
+  {
+    hasCut = false;
+    const VertexLinks links = FindVertexLinks(complex);
+    for (const VertexLink & link : links.links)
+    {
+      if (link.vertex != ExteriorVertex && link.eulerCharacteristic < 2 && CutHandle(complex, link, CountFaults(links)))
+      {
+        records.push_back({ RepairKind::HandleCut, link.vertex, link.vertex });
+        hasCut = true;
         break;
       }
     }
@@ -250,6 +314,8 @@ ToString(RepairKind kind)
       return "a false wall brought two links nearer";
     case RepairKind::Bridged:
       return "two links were bridged by three false walls";
+    case RepairKind::HandleCut:
+      return "a handle of a link was cut";
     case RepairKind::PutIntoTriangle:
       return "a cell without corners was put into a triangle";
     case RepairKind::NotRepaired:
@@ -263,6 +329,9 @@ Repair(ImageNerve & nerve, const TissuePlaces & places)
 {
   std::vector<NerveRepairRecord> records;
   DropParts(nerve.complex, records);
+  JoinLinks(nerve.complex, places, records);
+  CutHandles(nerve.complex, records);
+  // Where two handles go at once the link of a third cell may be split: that is the lesser fault.
   JoinLinks(nerve.complex, places, records);
   AddAbsent(nerve, places, records);
   return records;

@@ -27,6 +27,8 @@ enum class RepairKind
   FalseDigon,
   /** Two links of a cell that have no other cell in common were joined by three false walls. */
   Bridged,
+  /** A handle of a cell's link was cut, by false walls. */
+  HandleCut,
   /** A cell without corners was put into a triangle of its neighbours, with a wall to each: one is false, or two. */
   PutIntoTriangle,
   /** Nothing could be done: the cell has several links still, or none. */
