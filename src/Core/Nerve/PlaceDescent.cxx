@@ -8,15 +8,14 @@
 
 #include "Nerve/GeneralMoves.h"
 
-#include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace tissue
 {
 namespace
 {
-/** Energies are sums of the two weights: anything below half of the smaller one's last digit is no difference. */
+/** A move must lower the energy by more than this, in corners. Differences are sums of weights near 1, so that what is
+ * smaller comes from rounding alone. */
 constexpr double NoDifference = -1e-9;
 
 class Descent
@@ -196,11 +195,11 @@ private:
   bool
   TryToSplit(const EdgeRing & ring)
   {
-    const VertexPair            ends = this->EndsOf(ring);
-    const auto                  vertices = m_Complex.GetRingVertices(ring);
-    const double                ofEdge = m_Energy.CostOfEdge(ends[0], ends[1]);
-    double                      least = NoDifference;
-    std::optional<MoveProposal> best;
+    const VertexPair           ends = this->EndsOf(ring);
+    const auto                 vertices = m_Complex.GetRingVertices(ring);
+    const double               ofEdge = m_Energy.CostOfEdge(ends[0], ends[1]);
+    double                     least = NoDifference;
+    std::array<std::size_t, 2> best{ { 0, 0 } };
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
@@ -212,16 +211,15 @@ private:
         {
           continue;
         }
-        MoveProposal proposal = SplitEdge(m_Complex, ring, i, j);
-        const double difference = m_Energy.Difference(m_Complex, proposal.move);
+        const double difference = m_Energy.Difference(m_Complex, SplitEdge(m_Complex, ring, i, j).move);
         if (difference < least)
         {
           least = difference;
-          best = std::move(proposal);
+          best = { { i, j } };
         }
       }
     }
-    return best && this->TryToApply(*best);
+    return least < NoDifference && this->TryToApply(SplitEdge(m_Complex, ring, best[0], best[1]));
   }
 
   bool
