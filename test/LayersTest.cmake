@@ -8,6 +8,7 @@ set(Geometry       Common)
 set(Adjacency      Common Geometry)
 set(Image          Common Geometry Adjacency)
 set(Complex        Common Geometry Adjacency)
+set(Nerve          Common Geometry Adjacency Image Complex)
 set(Optimization   Common Geometry Adjacency Complex)
 set(Mesh           Common Geometry)
 set(Remeshing      Common Geometry Mesh)
@@ -17,7 +18,7 @@ set(Tessellation   Common Geometry)
 set(Points         Common Geometry Adjacency Image Complex Tessellation)
 set(Evaluation     Common Geometry Adjacency Image Complex Mesh)
 set(Reconstruction Common Geometry Adjacency Image Complex Optimization Mesh Remeshing Dual Fitting)
-set(coreFolders Common Geometry Adjacency Image Complex Optimization Mesh Remeshing Dual Fitting Tessellation Points
+set(coreFolders Common Geometry Adjacency Image Complex Nerve Optimization Mesh Remeshing Dual Fitting Tessellation Points
   Evaluation Reconstruction)
 set(cgalDoors "/(Geometry/(ExactPredicates|ConvexHull|SpatialOrder)|Complex/DelaunayTetrahedralization)\\.cxx$")
 

@@ -1,0 +1,43 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_CrowdedBlocks_h
+#define TissueTessellationCore_CrowdedBlocks_h
+
+#include "Nerve/KuhnSimplex.h"
+#include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
+
+#include <vector>
+
+namespace tissue
+{
+/** A 2x2x2 block of voxels that holds four or more cells: where cells meet in corners. */
+struct CrowdedBlock
+{
+  /** The block's first voxel, -1 in front of the image. */
+  VoxelIndex base;
+  /** The vertices of its voxels, the first axis fastest. */
+  std::array<VertexId, 8> cells;
+};
+
+/** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
+ * Planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
+std::vector<CrowdedBlock>
+FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution = Execution());
+
+/** The different cells of a block, ascending. */
+struct BlockCells
+{
+  std::array<VertexId, 8> cells;
+  int                     count;
+};
+
+BlockCells
+DifferentCells(const std::array<VertexId, 8> & voxels);
+} // namespace tissue
+
+#endif

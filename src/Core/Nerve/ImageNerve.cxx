@@ -1,0 +1,295 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Nerve/ImageNerve.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tissue
+{
+namespace
+{
+/** A tetrahedron of the subdivision with four labels, ordered by its place in the image. */
+struct Corner
+{
+  KuhnSimplex::Key key;
+
+  auto
+  Rank() const
+  {
+    return std::make_tuple(key.base[2], key.base[1], key.base[0], key.first, key.second);
+  }
+
+  KuhnSimplex
+  GetSimplex() const
+  {
+    return KuhnSimplex::FromWay(key.base, key.first, key.second);
+  }
+};
+
+using Labels = std::array<VertexId, 4>;
+
+bool
+AreDifferent(const Labels & l)
+{
+  return l[0] != l[1] && l[0] != l[2] && l[0] != l[3] && l[1] != l[2] && l[1] != l[3] && l[2] != l[3];
+}
+
+Labels
+LabelsOf(const LabelVolume & volume, const KuhnSimplex & simplex)
+{
+  Labels labels;
+  for (int i = 0; i < 4; ++i)
+  {
+    labels[i] = volume.At(simplex.voxels[i][0], simplex.voxels[i][1], simplex.voxels[i][2]);
+  }
+  return labels;
+}
+
+/** The corners in ascending order of their ranks, as the blocks are. */
+std::vector<Corner>
+FindCorners(const std::vector<CrowdedBlock> & blocks)
+{
+  std::vector<Corner> corners;
+  for (const CrowdedBlock & block : blocks)
+  {
+    for (int first = 0; first < 3; ++first)
+    {
+      for (int second = 0; second < 3; ++second)
+      {
+        const int atFirst = 1 << first;
+        if (second != first &&
+            AreDifferent(
+              { { block.cells[0], block.cells[atFirst], block.cells[atFirst | 1 << second], block.cells[7] } }))
+        {
+          corners.push_back({ { block.base, first, second } });
+        }
+      }
+    }
+  }
+  return corners;
+}
+
+/** \brief A walk along a line of the image, from triangle to triangle of the subdivision. */
+class LineWalk
+{
+public:
+  /** From a corner through the triangle opposite to its vertex i. */
+  LineWalk(const LabelVolume & volume, const KuhnSimplex & simplex, int i)
+    : m_Volume(volume)
+    , m_Simplex(simplex)
+    , m_Labels(LabelsOf(volume, simplex))
+    , m_Exit(i)
+  {}
+
+  /** Goes through the triangle ahead. Returns false where the tetrahedron behind it is a corner. */
+  bool
+  Step()
+  {
+    m_Simplex.Pivot(m_Exit);
+    const VoxelIndex & voxel = m_Simplex.voxels[m_Exit];
+    const VertexId     label = m_Volume.At(voxel[0], voxel[1], voxel[2]);
+    m_Labels[m_Exit] = label;
+    for (int j = 0; j < 4; ++j)
+    {
+      // Two vertices of one label: the line leaves through the triangle that the earlier of them is not in.
+      if (j != m_Exit && m_Labels[j] == label)
+      {
+        m_Exit = j;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const KuhnSimplex &
+  GetSimplex() const
+  {
+    return m_Simplex;
+  }
+
+  /** At a corner: the label that the line has not. */
+  VertexId
+  GetFourthLabel() const
+  {
+    return m_Labels[m_Exit];
+  }
+
+  /** The middle of the triangle ahead, as a continuous index. */
+  Point
+  GetPlace() const
+  {
+    Point sum{ { 0.0, 0.0, 0.0 } };
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int axis = 0; i != m_Exit && axis < 3; ++axis)
+      {
+        sum[axis] += m_Simplex.voxels[i][axis];
+      }
+    }
+    return (1.0 / 3.0) * sum;
+  }
+
+private:
+  const LabelVolume & m_Volume;
+  KuhnSimplex         m_Simplex;
+  Labels              m_Labels;
+  int                 m_Exit;
+};
+
+/** The other end of a line that leaves a corner, and the triangles in between. */
+struct LineEnd
+{
+  std::int32_t corner = 0;
+  VertexId     fourth = 0;
+  std::int32_t numberOfSteps = 0;
+};
+
+LineEnd
+FollowLine(const LabelVolume & volume, const std::vector<Corner> & corners, std::size_t from, int i)
+{
+  LineWalk     walk(volume, corners[from].GetSimplex(), i);
+  std::int32_t steps = 1;
+  while (walk.Step())
+  {
+    ++steps;
+  }
+  const Corner end{ walk.GetSimplex().GetKey() };
+  const auto   at = std::lower_bound(
+    corners.begin(), corners.end(), end, [](const Corner & a, const Corner & b) { return a.Rank() < b.Rank(); });
+  return { static_cast<std::int32_t>(at - corners.begin()), walk.GetFourthLabel(), steps };
+}
+
+/** Walks the line once more, now that its length in steps is known. */
+ImageLine
+MeasureLine(const LabelVolume & volume, const Corner & corner, int i, std::int32_t numberOfSteps)
+{
+  // Six tetrahedra fill a cube, so this is two or three voxels: enough to smooth the zigzag of the path.
+  constexpr std::int32_t stride = 12;
+  LineWalk               walk(volume, corner.GetSimplex(), i);
+  Point                  last = volume.ToPhysical(walk.GetPlace());
+  ImageLine              line{ last, 0.0 };
+  for (std::int32_t step = 0; step < numberOfSteps; ++step)
+  {
+    if (step == numberOfSteps / 2)
+    {
+      line.middle = volume.ToPhysical(walk.GetPlace());
+    }
+    if (step % stride == stride - 1 || step == numberOfSteps - 1)
+    {
+      const Point place = volume.ToPhysical(walk.GetPlace());
+      line.length += Distance(last, place);
+      last = place;
+    }
+    walk.Step();
+  }
+  return line;
+}
+
+/** The way of a corner is positively oriented, in physical space, if its axes are. */
+bool
+IsPositive(const LabelVolume & volume, const KuhnSimplex::Key & key)
+{
+  const bool areAxesEven = (key.second - key.first + 3) % 3 == 1;
+  return areAxesEven == (Dot(volume.steps[0], Cross(volume.steps[1], volume.steps[2])) > 0.0);
+}
+
+void
+AddCorner(const LabelVolume & volume, const Corner & corner, ImageNerve & nerve)
+{
+  const KuhnSimplex simplex = corner.GetSimplex();
+  Labels            labels = LabelsOf(volume, simplex);
+  if (!IsPositive(volume, corner.key))
+  {
+    std::swap(labels[2], labels[3]);
+  }
+  nerve.complex.Add(labels, static_cast<CornerId>(nerve.corners.size()));
+  Point sum{ { 0.0, 0.0, 0.0 } };
+  for (const VoxelIndex & voxel : simplex.voxels)
+  {
+    sum =
+      sum + Point{ { static_cast<double>(voxel[0]), static_cast<double>(voxel[1]), static_cast<double>(voxel[2]) } };
+  }
+  nerve.corners.push_back(volume.ToPhysical(0.25 * sum));
+}
+
+/** One line of the nerve, by the end that comes first. */
+struct LineStart
+{
+  std::size_t  corner;
+  int          i;
+  std::int32_t numberOfSteps;
+};
+
+/** Glues each line's ends, and gives the lines in the order of their first ends. */
+std::vector<LineStart>
+GlueLines(const LabelVolume & volume, const std::vector<Corner> & corners, const std::vector<LineEnd> & ends,
+          GeneralComplex & complex)
+{
+  std::vector<LineStart> starts;
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    const Labels labels = LabelsOf(volume, corners[c].GetSimplex());
+    for (int i = 0; i < 4; ++i)
+    {
+      const LineEnd & end = ends[4 * c + i];
+      if (static_cast<std::size_t>(end.corner) > c)
+      {
+        const auto & t = complex.GetTetrahedron(static_cast<TetrahedronId>(c)).vertices;
+        const auto & other = complex.GetTetrahedron(end.corner).vertices;
+        complex.Glue({ static_cast<TetrahedronId>(c), LocalIndex(t, labels[i]) },
+                     { end.corner, LocalIndex(other, end.fourth) },
+                     static_cast<LineId>(starts.size()));
+        starts.push_back({ c, i, end.numberOfSteps });
+      }
+    }
+  }
+  return starts;
+}
+
+/** Corners or lines of one task: enough that handing it out costs nothing. */
+constexpr std::size_t ChunkSize = 1024;
+
+template <typename TBody>
+void
+ForChunks(std::size_t count, const Execution & execution, const TBody & body)
+{
+  execution.For((count + ChunkSize - 1) / ChunkSize, [&](std::size_t chunk) {
+    for (std::size_t i = chunk * ChunkSize; i < std::min(count, (chunk + 1) * ChunkSize); ++i)
+    {
+      body(i);
+    }
+  });
+}
+} // namespace
+
+ImageNerve
+MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std::vector<CrowdedBlock> & blocks,
+               const Execution & execution)
+{
+  const std::vector<Corner> corners = FindCorners(blocks);
+  ImageNerve                nerve{ GeneralComplex(numberOfVertices), {}, {} };
+  for (const Corner & corner : corners)
+  {
+    AddCorner(volume, corner, nerve);
+  }
+  // Each line is followed from both of its ends: so the corners can be shared out.
+  std::vector<LineEnd> ends(4 * corners.size());
+  ForChunks(corners.size(), execution, [&](std::size_t c) {
+    for (int i = 0; i < 4; ++i)
+    {
+      ends[4 * c + i] = FollowLine(volume, corners, c, i);
+    }
+  });
+  const std::vector<LineStart> starts = GlueLines(volume, corners, ends, nerve.complex);
+  nerve.lines.resize(starts.size());
+  ForChunks(starts.size(), execution, [&](std::size_t l) {
+    nerve.lines[l] = MeasureLine(volume, corners[starts[l].corner], starts[l].i, starts[l].numberOfSteps);
+  });
+  return nerve;
+}
+} // namespace tissue

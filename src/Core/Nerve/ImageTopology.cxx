@@ -1,0 +1,102 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Nerve/ImageTopology.h"
+
+#include "Nerve/VertexLinks.h"
+
+#include <algorithm>
+
+namespace tissue
+{
+namespace
+{
+/** The cells of the image that have not one sphere for a link. */
+std::vector<VertexId>
+FindUnsoundCells(const GeneralComplex & complex, const TissuePlaces & places)
+{
+  std::vector<bool> isInImage(static_cast<std::size_t>(complex.NumberOfVertices()), false);
+  for (const ImageWall & wall : places.walls)
+  {
+    isInImage[wall.cells[0]] = true;
+    isInImage[wall.cells[1]] = true;
+  }
+  const VertexLinks     links = FindVertexLinks(complex);
+  std::vector<VertexId> unsound;
+  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  {
+    const bool isSphere = links.NumberOfLinks(v) == 1 && links.links[links.firstOfVertex[v]].eulerCharacteristic == 2;
+    if (isInImage[v] && !isSphere)
+    {
+      unsound.push_back(v);
+    }
+  }
+  return unsound;
+}
+
+/** Finds the fragments, the places and the nerve. */
+void
+ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumFragmentVoxels,
+          ImageTopology & topology, const Execution & execution)
+{
+  topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
+  LabelVolume         copy;
+  const LabelVolume * image = &volume;
+  if (!topology.fragments.fragments.empty())
+  {
+    copy = volume;
+    image = &copy;
+  }
+  Relabel(copy, topology.fragments.ofLarge);
+  std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(*image, execution);
+  topology.places = { FindImageWalls(*image, execution), FindCornerPlaces(*image, blocks) };
+  execution.Report(0.4);
+  if (!topology.fragments.ofSmall.empty())
+  {
+    Relabel(copy, topology.fragments.ofSmall);
+    blocks = FindCrowdedBlocks(*image, execution);
+  }
+  topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
+  execution.Report(0.7);
+}
+} // namespace
+
+std::vector<ImageWall>
+FindWallsWithoutCorners(const TissuePlaces & places)
+{
+  std::vector<VertexPair> withCorners;
+  for (const CornerPlace & corner : places.corners)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      for (std::size_t j = i + 1; j < 4; ++j)
+      {
+        withCorners.push_back({ { corner.cells[i], corner.cells[j] } });
+      }
+    }
+  }
+  std::sort(withCorners.begin(), withCorners.end());
+  std::vector<ImageWall> walls;
+  std::copy_if(places.walls.begin(), places.walls.end(), std::back_inserter(walls), [&](const ImageWall & wall) {
+    return !std::binary_search(withCorners.begin(), withCorners.end(), wall.cells);
+  });
+  return walls;
+}
+
+ImageTopology
+FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
+                  const Execution & execution)
+{
+  ImageTopology topology;
+  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
+  topology.repairs = Repair(topology.nerve, topology.places);
+  topology.descent =
+    Descend(topology.nerve.complex, topology.places, parameters.preferences, execution.Part(0.75, 1.0));
+  topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
+  topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
+  return topology;
+}
+} // namespace tissue

@@ -1,0 +1,54 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_ImageTopology_h
+#define TissueTessellationCore_ImageTopology_h
+
+#include "Nerve/ImageNerve.h"
+#include "Nerve/KuhnFragments.h"
+#include "Nerve/NerveRepair.h"
+#include "Nerve/PlaceDescent.h"
+
+namespace tissue
+{
+struct ImageTopologyParameters
+{
+  PlacePreferences preferences = PlacePreferences::WallsFirst();
+  /** Voxels from which on a fragment of a cell becomes a vertex of its own. Four, the fewest with a volume, lose no
+   * more of the image's pairs of cells than must be; to mesh them well takes more. */
+  std::int64_t minimumFragmentVoxels = 4;
+};
+
+/** \brief The complex of a label image, and all that was met on the way. */
+struct ImageTopology
+{
+  /** The complex after repair and descent; its corners and lines lead to the image. */
+  ImageNerve nerve;
+  /** What the complex was measured by: of the image with its large fragments as vertices of their own. */
+  TissuePlaces                   places;
+  Fragments                      fragments;
+  std::vector<NerveRepairRecord> repairs;
+  PlaceDescentResult             descent;
+  /** Walls of two cells that meet no other two anywhere: spheres, or disks and rings with lines that are closed. They
+   * have no corner, and are in the complex by a repair at most. */
+  std::vector<ImageWall> wallsWithoutCorners;
+  /** Cells whose links are not one sphere in the end: with handles, or without any place in the complex. */
+  std::vector<VertexId> unsoundCells;
+};
+
+/** Nerve, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The volume is as
+ * it was in the end; it is copied where cells have fragments. */
+ImageTopology
+FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
+                  const ImageTopologyParameters & parameters = ImageTopologyParameters(),
+                  const Execution &               execution = Execution());
+
+/** The walls of a pair of cells that are among the cells of no corner place. */
+std::vector<ImageWall>
+FindWallsWithoutCorners(const TissuePlaces & places);
+} // namespace tissue
+
+#endif

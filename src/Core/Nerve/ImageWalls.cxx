@@ -1,0 +1,346 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Nerve/TissuePlaces.h"
+#include "TissueTessellationCore/Common/DisjointSets.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace tissue
+{
+namespace
+{
+using FaceId = std::int32_t;
+constexpr FaceId None = -1;
+
+/** Faces found to be of one wall so far: the sums are of twice the coordinates of their centres, so whole. */
+struct Part
+{
+  VertexPair                  cells;
+  std::int64_t                numberOfFaces = 0;
+  std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
+};
+
+/** A plane of voxels with a border of one voxel of exterior. */
+struct LabelPlane
+{
+  std::int32_t          width;
+  std::int32_t          height;
+  std::vector<VertexId> labels;
+};
+
+LabelPlane
+ReadPlane(const LabelVolume & volume, std::int32_t z)
+{
+  LabelPlane plane{ volume.size[0] + 2, volume.size[1] + 2, {} };
+  plane.labels.assign(static_cast<std::size_t>(plane.width) * plane.height, ExteriorVertex);
+  for (std::int32_t y = 0; z >= 0 && z < volume.size[2] && y < volume.size[1]; ++y)
+  {
+    const auto row = volume.vertices.begin() + (static_cast<std::ptrdiff_t>(z) * volume.size[1] + y) * volume.size[0];
+    std::copy(row, row + volume.size[0], plane.labels.begin() + (y + 1) * static_cast<std::ptrdiff_t>(plane.width) + 1);
+  }
+  return plane;
+}
+
+/** The part that each face at the upper side of a voxel of a plane belongs to, by axis. */
+using PlaneFaces = std::array<std::vector<FaceId>, 3>;
+
+/** Faces around the edges of another one. */
+using FacesAround = std::array<FaceId, 6>;
+
+/** \brief Finds the walls within a slab of planes, and keeps the faces of its first and of its last plane: there the
+ * next slabs go on.
+ *
+ * Each face is joined to those around its edges that come before it, which are six for each axis: every two faces
+ * around a voxel edge are met when the later one comes. */
+class WallScan
+{
+public:
+  WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
+    : m_Plane(ReadPlane(volume, begin))
+  {
+    const std::vector<FaceId> noFaces(m_Plane.labels.size(), None);
+    m_Below = { { noFaces, noFaces, noFaces } };
+    m_Last = m_Below;
+    for (std::int32_t z = begin; z < end; ++z)
+    {
+      LabelPlane next = ReadPlane(volume, z + 1);
+      std::swap(m_Below, m_Last);
+      this->ClearLast();
+      this->FindFaces(next, z);
+      if (z == begin)
+      {
+        m_First = m_Last;
+      }
+      m_Plane = std::move(next);
+    }
+  }
+
+  /** Faces around the lower edges of a face of a plane that are below the plane. */
+  static std::array<FaceId, 3>
+  Under(const PlaneFaces & below, int axis, std::size_t p, std::size_t width)
+  {
+    return { { below[axis][p], below[2][p], below[2][p + (axis == 0 ? 1 : width)] } };
+  }
+
+  const std::vector<Part> &
+  GetParts() const
+  {
+    return m_Parts;
+  }
+  DisjointSets &
+  GetSets()
+  {
+    return m_Sets;
+  }
+  const PlaneFaces &
+  GetFirst() const
+  {
+    return m_First;
+  }
+  const PlaneFaces &
+  GetLast() const
+  {
+    return m_Last;
+  }
+
+private:
+  /** Most faces need no new part: they get that of one around them that is of the same cells. */
+  FaceId
+  AddFace(VertexId a, VertexId b, const FacesAround & around, const std::array<std::int64_t, 3> & center)
+  {
+    const VertexPair cells{ { std::min(a, b), std::max(a, b) } };
+    FaceId           face = None;
+    for (const FaceId other : around)
+    {
+      if (other == None || other == face || m_Parts[other].cells != cells)
+      {
+        continue;
+      }
+      if (face == None)
+      {
+        face = other;
+      }
+      else
+      {
+        m_Sets.Unite(face, other);
+      }
+    }
+    if (face == None)
+    {
+      face = static_cast<FaceId>(m_Sets.Add());
+      m_Parts.push_back({ cells, 0, { { 0, 0, 0 } } });
+    }
+    Part & part = m_Parts[face];
+    ++part.numberOfFaces;
+    std::transform(part.sum.begin(), part.sum.end(), center.begin(), part.sum.begin(), std::plus<>());
+    return face;
+  }
+
+  void
+  FindFaces(const LabelPlane & next, std::int32_t z)
+  {
+    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
+    const auto &      labels = m_Plane.labels;
+    for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
+    {
+      for (std::int32_t x = 0; x + 1 < m_Plane.width; ++x)
+      {
+        const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+        const VertexId    label = labels[p];
+        if (labels[p + 1] != label || labels[p + width] != label || next.labels[p] != label)
+        {
+          this->AddFacesOfVoxel(p,
+                                { { label, labels[p + 1], labels[p + width], next.labels[p] } },
+                                { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
+        }
+      }
+    }
+  }
+
+  /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
+   * has none at its lower sides. */
+  void
+  AddFacesOfVoxel(std::size_t p, const std::array<VertexId, 4> & labels, const std::array<std::int64_t, 3> & twice)
+  {
+    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
+    const auto &      last = m_Last;
+    m_Touched.push_back(p);
+    if (labels[1] != labels[0])
+    {
+      const auto under = Under(m_Below, 0, p, width);
+      m_Last[0][p] = this->AddFace(
+        labels[0],
+        labels[1],
+        { { last[0][p - width], last[1][p - width], last[1][p - width + 1], under[0], under[1], under[2] } },
+        { { twice[0] + 1, twice[1], twice[2] } });
+    }
+    if (labels[2] != labels[0])
+    {
+      const auto under = Under(m_Below, 1, p, width);
+      m_Last[1][p] = this->AddFace(labels[0],
+                                   labels[2],
+                                   { { last[1][p - 1], last[0][p - 1], last[0][p], under[0], under[1], under[2] } },
+                                   { { twice[0], twice[1] + 1, twice[2] } });
+    }
+    if (labels[3] != labels[0])
+    {
+      m_Last[2][p] = this->AddFace(
+        labels[0],
+        labels[3],
+        { { last[2][p - 1], last[2][p - width], last[0][p], last[1][p], last[0][p - 1], last[1][p - width] } },
+        { { twice[0], twice[1], twice[2] + 1 } });
+    }
+  }
+
+  /** Takes out the faces of the plane before the one below, whose memory is used again. */
+  void
+  ClearLast()
+  {
+    for (const std::size_t p : m_TouchedBelow)
+    {
+      for (auto & ofAxis : m_Last)
+      {
+        ofAxis[p] = None;
+      }
+    }
+    m_TouchedBelow.swap(m_Touched);
+    m_Touched.clear();
+  }
+
+  LabelPlane               m_Plane;
+  PlaneFaces               m_First;
+  PlaneFaces               m_Below;
+  PlaneFaces               m_Last;
+  std::vector<std::size_t> m_Touched;
+  std::vector<std::size_t> m_TouchedBelow;
+  std::vector<Part>        m_Parts;
+  DisjointSets             m_Sets;
+};
+
+/** The parts of the slabs so far, and what is joined of them. */
+class WallJoin
+{
+public:
+  void
+  Append(WallScan & scan)
+  {
+    m_Offset = m_Parts.size();
+    m_Parts.insert(m_Parts.end(), scan.GetParts().begin(), scan.GetParts().end());
+    for (std::size_t k = 0; k < scan.GetParts().size(); ++k)
+    {
+      m_Sets.Add();
+      m_Sets.Unite(this->Index(k), this->Index(static_cast<std::size_t>(scan.GetSets().Find(static_cast<FaceId>(k)))));
+    }
+  }
+
+  /** Joins the first plane of the slab that was appended last to the last one of that before, whose parts begin at
+   * lowerOffset. */
+  void
+  JoinSlabs(const PlaneFaces & below, const PlaneFaces & first, std::size_t lowerOffset, std::size_t width)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (std::size_t p = 0; p + width < first[axis].size(); ++p)
+      {
+        for (const FaceId under : WallScan::Under(below, axis, p, width))
+        {
+          if (first[axis][p] == None || under == None)
+          {
+            continue;
+          }
+          const std::size_t upper = m_Offset + static_cast<std::size_t>(first[axis][p]);
+          const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
+          if (m_Parts[upper].cells == m_Parts[lower].cells)
+          {
+            m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
+          }
+        }
+      }
+    }
+  }
+
+  std::size_t
+  GetOffset() const
+  {
+    return m_Offset;
+  }
+
+  std::vector<ImageWall>
+  GatherWalls(const LabelVolume & volume);
+
+private:
+  std::int64_t
+  Index(std::size_t part) const
+  {
+    return static_cast<std::int64_t>(m_Offset + part);
+  }
+
+  std::vector<Part> m_Parts;
+  DisjointSets      m_Sets;
+  std::size_t       m_Offset = 0;
+};
+
+std::vector<ImageWall>
+WallJoin::GatherWalls(const LabelVolume & volume)
+{
+  std::vector<Part> joined(m_Parts.size());
+  for (std::size_t i = 0; i < m_Parts.size(); ++i)
+  {
+    Part & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
+    whole.cells = m_Parts[i].cells;
+    whole.numberOfFaces += m_Parts[i].numberOfFaces;
+    std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
+  }
+  std::vector<ImageWall> walls;
+  for (const Part & part : joined)
+  {
+    if (part.numberOfFaces > 0)
+    {
+      const double half = 0.5 / static_cast<double>(part.numberOfFaces);
+      walls.push_back({ part.cells,
+                        part.numberOfFaces,
+                        volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
+                                              half * static_cast<double>(part.sum[1]),
+                                              half * static_cast<double>(part.sum[2]) } }) });
+    }
+  }
+  std::stable_sort(walls.begin(), walls.end(), [](const ImageWall & a, const ImageWall & b) {
+    return a.cells != b.cells ? a.cells < b.cells : a.numberOfFaces > b.numberOfFaces;
+  });
+  return walls;
+}
+} // namespace
+
+std::vector<ImageWall>
+FindImageWalls(const LabelVolume & volume, const Execution & execution)
+{
+  // Planes of a slab: few slabs, as each keeps two planes of faces, and yet one for each of many threads.
+  constexpr std::int32_t             planesPerSlab = 32;
+  const std::int32_t                 planes = volume.size[2] + 1;
+  const auto                         count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
+  std::vector<std::vector<WallScan>> scans(count); // each of one: a scan is made where it is run
+  execution.For(count, [&](std::size_t i) {
+    const auto begin = static_cast<std::int32_t>(i) * planesPerSlab - 1;
+    scans[i].emplace_back(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
+  });
+  WallJoin join;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t lowerOffset = join.GetOffset();
+    join.Append(scans[i].front());
+    if (i > 0)
+    {
+      join.JoinSlabs(scans[i - 1].front().GetLast(),
+                     scans[i].front().GetFirst(),
+                     lowerOffset,
+                     static_cast<std::size_t>(volume.size[0]) + 2);
+    }
+  }
+  return join.GatherWalls(volume);
+}
+} // namespace tissue

@@ -1,0 +1,104 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_PlaceEnergy_h
+#define TissueTessellationCore_PlaceEnergy_h
+
+#include "Nerve/GeneralMove.h"
+#include "Nerve/TissuePlaces.h"
+#include "Nerve/TupleCounts.h"
+
+namespace tissue
+{
+/** What counts how much where a complex cannot have all of the image's walls and corners and no others. */
+struct PlacePreferences
+{
+  /** What a wall too many or too few costs, in corners too many or too few. */
+  double wallWeight = 2.0;
+  /** Of two cells' walls in the image those of fewer voxel faces are noise; but the largest counts in any case. */
+  std::int64_t minimumFaces = 10;
+
+  /** Which cells touch is right before all else. */
+  static PlacePreferences
+  WallsFirst()
+  {
+    return {};
+  }
+
+  /** Which four cells meet is right before all else. The image asks for corners of cells that do not all touch, and
+   * each two of them need a false wall: below a weight of 1 they are worth it, whatever the weight, above 1 never. */
+  static PlacePreferences
+  JunctionsFirst()
+  {
+    return { 0.5, 1 };
+  }
+};
+
+/** \brief The number of walls and corners that a complex has more or fewer than the image, the walls weighted.
+ *
+ * By cells: of two cells that have two walls in the image the complex should have two edges, of four cells that meet at
+ * two places two tetrahedra. The energy is the sum of all absolute differences. */
+class PlaceEnergy
+{
+public:
+  PlaceEnergy(const TissuePlaces & places, const PlacePreferences & preferences, const GeneralComplex & complex);
+
+  /** By how much a move of the complex would change the energy. */
+  double
+  Difference(const GeneralComplex & complex, const GeneralMove & move) const;
+
+  /** Keeps the counts up to date; to be called before the move is applied. */
+  void
+  Account(const GeneralComplex & complex, const GeneralMove & move);
+
+  /** From the counts, in O(their number). */
+  double
+  Total() const;
+
+  /** \name What one edge or tetrahedron more or fewer of these vertices, in any order, would cost.
+   *
+   * The energy is convex in each number: what a move costs is never less than the sum of what its parts would cost one
+   * by one. So a move whose parts cost too much need not be made to be judged.
+   * @{ */
+  double
+  CostOfEdge(VertexId u, VertexId v) const;
+
+  double
+  CostOfTetrahedron(const VertexQuadruple & vertices) const;
+
+  double
+  CostWithoutEdge(VertexId u, VertexId v) const;
+
+  double
+  CostWithoutTetrahedron(const VertexQuadruple & vertices) const;
+  /** @} */
+
+  /** What a wall costs in corners. */
+  double
+  GetWallWeight() const
+  {
+    return m_WallWeight;
+  }
+
+  const TupleCounts<2> &
+  GetWalls() const
+  {
+    return m_Walls;
+  }
+  const TupleCounts<4> &
+  GetCorners() const
+  {
+    return m_Corners;
+  }
+
+private:
+  double         m_WallWeight;
+  TupleCounts<2> m_Walls;
+  TupleCounts<4> m_Corners;
+};
+} // namespace tissue
+
+#endif

@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TupleCounts_h
+#define TissueTessellationCore_TupleCounts_h
+
+#include "TissueTessellationCore/Common/Types.h"
+
+#include <cstdlib>
+#include <vector>
+
+namespace tissue
+{
+/** \brief Of tuples of vertices, how often each is wanted and how often it is there: a hash table with open addressing.
+ *
+ * Tuples are ascending. One that was never added is wanted and there zero times, and costs no memory. */
+template <std::size_t VLength>
+class TupleCounts
+{
+public:
+  using Key = std::array<VertexId, VLength>;
+  struct Entry
+  {
+    Key          key;
+    std::int32_t wanted;
+    std::int32_t present;
+  };
+
+  TupleCounts()
+    : m_Slots(std::size_t{ 1 } << 10, -1)
+  {}
+
+  /** A copy of the tuple's counts. */
+  Entry
+  Get(const Key & key) const
+  {
+    const std::int32_t at = m_Slots[this->FindSlot(key)];
+    return at < 0 ? Entry{ key, 0, 0 } : m_Entries[static_cast<std::size_t>(at)];
+  }
+
+  /** The tuple's counts, for a change. The reference holds until the next call. */
+  Entry &
+  operator[](const Key & key)
+  {
+    std::size_t slot = this->FindSlot(key);
+    if (m_Slots[slot] < 0)
+    {
+      if (2 * (m_Entries.size() + 1) > m_Slots.size())
+      {
+        this->Grow();
+        slot = this->FindSlot(key);
+      }
+      m_Slots[slot] = static_cast<std::int32_t>(m_Entries.size());
+      m_Entries.push_back({ key, 0, 0 });
+    }
+    return m_Entries[static_cast<std::size_t>(m_Slots[slot])];
+  }
+
+  const std::vector<Entry> &
+  GetEntries() const
+  {
+    return m_Entries;
+  }
+
+private:
+  /** The slot that holds the key, or the empty one where it belongs. */
+  std::size_t
+  FindSlot(const Key & key) const
+  {
+    // FNV-1a by whole numbers, and a last mix, as the low bits choose the slot.
+    std::uint64_t hash = 0xCBF29CE484222325u;
+    for (const VertexId v : key)
+    {
+      hash = (hash ^ static_cast<std::uint32_t>(v)) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 32;
+    }
+    const std::size_t mask = m_Slots.size() - 1;
+    std::size_t       slot = hash & mask;
+    while (m_Slots[slot] >= 0 && m_Entries[static_cast<std::size_t>(m_Slots[slot])].key != key)
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  }
+
+  void
+  Grow()
+  {
+    m_Slots.assign(2 * m_Slots.size(), -1);
+    for (std::size_t i = 0; i < m_Entries.size(); ++i)
+    {
+      m_Slots[this->FindSlot(m_Entries[i].key)] = static_cast<std::int32_t>(i);
+    }
+  }
+
+  std::vector<Entry> m_Entries;
+  /** Index of an entry, or -1; their number is a power of two. */
+  std::vector<std::int32_t> m_Slots;
+};
+} // namespace tissue
+
+#endif

@@ -1,0 +1,168 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Nerve/ImageTopology.h"
+#include "Nerve/TestGeneralComplexes.h"
+#include "Nerve/TestImages.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+using namespace testing_nerve;
+
+namespace
+{
+/** Cells of a random Voronoi diagram, in a ball. */
+LabelVolume
+RandomCells(std::int32_t edge, int count, std::uint64_t seed)
+{
+  Random             random(seed);
+  std::vector<Point> seeds;
+  for (int i = 0; i < count; ++i)
+  {
+    seeds.push_back({ { random.Uniform() * edge, random.Uniform() * edge, random.Uniform() * edge } });
+  }
+  const Point center{ { 0.5 * edge, 0.5 * edge, 0.5 * edge } };
+  return MakeImage({ { edge, edge, edge } }, [&](std::int32_t x, std::int32_t y, std::int32_t z) -> VertexId {
+    const Point p{ { x + 0.5, y + 0.5, z + 0.5 } };
+    if (Distance(p, center) > 0.45 * edge)
+    {
+      return ExteriorVertex;
+    }
+    const auto nearest = std::min_element(
+      seeds.begin(), seeds.end(), [&](const Point & a, const Point & b) { return Distance(a, p) < Distance(b, p); });
+    return static_cast<VertexId>(1 + (nearest - seeds.begin()));
+  });
+}
+
+/** The pairs of cells that the complex has and the image has not, and the other way round. */
+std::pair<int, int>
+FalseAndMissingPairs(const ImageTopology & topology)
+{
+  auto edges = CountEdges(topology.nerve.complex);
+  int  missing = 0;
+  for (const ImageWall & wall : topology.places.walls)
+  {
+    missing += edges.count(wall.cells) == 0 ? 1 : 0;
+  }
+  for (const ImageWall & wall : topology.places.walls)
+  {
+    edges.erase(wall.cells);
+  }
+  return { static_cast<int>(edges.size()), missing };
+}
+} // namespace
+
+TEST(ImageTopology, OfRandomCellsHasNearlyAllPairs)
+{
+  const LabelVolume   volume = RandomCells(48, 120, 7);
+  const ImageTopology topology = FindImageTopology(volume, NumberOfVertices(volume));
+  const auto [wrong, missing] = FalseAndMissingPairs(topology);
+  EXPECT_LE(wrong + missing, static_cast<int>(topology.places.walls.size()) / 200);
+  EXPECT_TRUE(topology.unsoundCells.empty());
+  EXPECT_LT(topology.descent.energyAfter, topology.descent.energyBefore);
+}
+
+TEST(ImageTopology, OfASheetIsExact)
+{
+  const LabelVolume   volume = Bricks({ { 5, 5, 1 } }, 6);
+  const ImageTopology topology = FindImageTopology(volume, NumberOfVertices(volume));
+  EXPECT_EQ(FalseAndMissingPairs(topology), (std::pair<int, int>{ 0, 0 }));
+  std::map<VertexPair, int> walls;
+  for (const ImageWall & wall : topology.places.walls)
+  {
+    ++walls[wall.cells];
+  }
+  EXPECT_EQ(CountEdges(topology.nerve.complex), walls) << "each as often as in the image";
+  EXPECT_TRUE(topology.repairs.empty());
+}
+
+TEST(ImageTopology, TellsFragmentsRingsAndRepairs)
+{
+  LabelVolume volume = Bricks({ { 3, 3, 2 } }, 6);
+  const auto  vertices = NumberOfVertices(volume);
+  const auto  at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return static_cast<std::size_t>((z * volume.size[1] + y) * volume.size[0] + x);
+  };
+  // A nucleus within a cell, and a far voxel of another cell within a third.
+  volume.vertices[at(15, 15, 9)] = vertices;
+  const VertexId around = volume.vertices[at(9, 9, 9)];
+  volume.vertices[at(9, 9, 9)] = volume.vertices[at(15, 21, 9)];
+  const ImageTopology topology = FindImageTopology(volume, vertices + 1);
+  ASSERT_EQ(topology.fragments.fragments.size(), 1u);
+  EXPECT_EQ(topology.fragments.fragments[0].vertex, around);
+  EXPECT_FALSE(topology.fragments.fragments[0].isLarge);
+  ASSERT_EQ(topology.repairs.size(), 1u);
+  EXPECT_EQ(topology.repairs[0].vertex, vertices);
+  EXPECT_TRUE(std::any_of(topology.wallsWithoutCorners.begin(),
+                          topology.wallsWithoutCorners.end(),
+                          [&](const auto & wall) { return wall.cells[1] == vertices; }));
+  EXPECT_TRUE(topology.unsoundCells.empty());
+}
+
+TEST(ImageTopology, OfTooFewCellsNamesThem)
+{
+  const LabelVolume volume =
+    MakeImage({ { 4, 2, 2 } }, [](std::int32_t x, std::int32_t, std::int32_t) { return VertexId{ 1 + x / 2 }; });
+  const ImageTopology topology = FindImageTopology(volume, 3);
+  EXPECT_EQ(topology.unsoundCells, (std::vector<VertexId>{ 1, 2 }));
+  EXPECT_EQ(topology.wallsWithoutCorners.size(), 3u);
+}
+
+TEST(ImageTopology, IsTheSameForAnyNumberOfThreads)
+{
+  const Execution     threads([](std::size_t count, const Execution::LoopBody & body) {
+    std::vector<std::thread> all;
+    for (std::size_t t = 0; t < 3; ++t)
+    {
+      all.emplace_back([&, t] {
+        for (std::size_t i = t; i < count; i += 3)
+        {
+          body(i);
+        }
+      });
+    }
+    for (std::thread & thread : all)
+    {
+      thread.join();
+    }
+  });
+  const LabelVolume   volume = RandomCells(70, 60, 3);
+  const ImageTopology one = FindImageTopology(volume, NumberOfVertices(volume));
+  const ImageTopology many = FindImageTopology(volume, NumberOfVertices(volume), {}, threads);
+  EXPECT_EQ(Dump(one.nerve.complex), Dump(many.nerve.complex));
+  ASSERT_EQ(one.places.walls.size(), many.places.walls.size());
+  for (std::size_t i = 0; i < one.places.walls.size(); ++i)
+  {
+    EXPECT_EQ(one.places.walls[i].cells, many.places.walls[i].cells);
+    EXPECT_EQ(one.places.walls[i].center, many.places.walls[i].center);
+  }
+  ASSERT_EQ(one.nerve.lines.size(), many.nerve.lines.size());
+  for (std::size_t i = 0; i < one.nerve.lines.size(); ++i)
+  {
+    EXPECT_EQ(one.nerve.lines[i].middle, many.nerve.lines[i].middle);
+    EXPECT_EQ(one.nerve.lines[i].length, many.nerve.lines[i].length);
+  }
+}
+
+TEST(ImageTopology, OfAnyImageIsValidOrSaysWhereNot)
+{
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    const auto          edge = static_cast<std::int32_t>(2 + seed % 7);
+    const LabelVolume   volume = Noise({ { edge, edge + 1, edge } }, static_cast<VertexId>(2 + seed % 30), seed);
+    const ImageTopology topology = FindImageTopology(volume, NumberOfVertices(volume));
+    std::size_t         wrong = 0;
+    for (const std::string & violation : FindViolations(topology.nerve.complex))
+    {
+      wrong += violation.find("no sphere") != std::string::npos ? 1 : 0;
+      EXPECT_EQ(violation.find("neighbour"), std::string::npos) << violation;
+      EXPECT_EQ(violation.find("split"), std::string::npos) << violation;
+    }
+    EXPECT_LE(wrong, topology.unsoundCells.size());
+  }
+}
