@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Nerve/GeneralMoves.h"
-
 #include "Nerve/MoveParts.h"
 
 // The moves that open triangles: they may join and split links.
