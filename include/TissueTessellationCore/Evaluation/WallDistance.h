@@ -40,7 +40,8 @@ struct WallDistance
 };
 
 /** Measures the distance of a mesh. The cells of `walls` and of `labels` are their vertices below `numberOfVertices`;
- * vertices from that one on are not cells. */
+ * vertices from that one on are not cells.
+ * \throws std::invalid_argument where the triangles of the mesh are not in the order of its walls. */
 WallDistance
 MeasureWallDistance(const WallMesh & walls, VertexId numberOfVertices, const LabelVolume & labels,
                     const Execution & execution = Execution());
