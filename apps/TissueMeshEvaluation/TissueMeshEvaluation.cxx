@@ -21,7 +21,6 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
-#include <type_traits>
 
 namespace tissue
 {
@@ -95,20 +94,17 @@ ReadMesh(const Options & options, ProgressBar & progress)
 
 /** \param meshFile the triangles' file, for messages. */
 Evaluation
-Evaluate(const LabelImage & image, const ExtractedJunctions & extracted,
-         const std::shared_ptr<const TrianglesOfLabels> & triangles, const std::string & meshFile,
-         ProgressBar & progress)
+Evaluate(const ExtractedJunctions & extracted, const std::shared_ptr<const TrianglesOfLabels> & triangles,
+         const std::string & meshFile, ProgressBar & progress)
 {
   progress.Begin("Judging the mesh");
-  return VisitPixels(image, [&](const auto * pixels) {
-    using ImageType = std::remove_const_t<std::remove_pointer_t<decltype(pixels)>>;
-    const auto calculator = itk::CellWallMeshEvaluationCalculator<ImageType>::New();
-    calculator->SetJunctions(extracted.junctions);
-    calculator->SetLabelVolume(extracted.volume);
-    calculator->SetTriangles(triangles);
-    WithFileName(meshFile, [&] { calculator->Compute(); });
-    return Evaluation{ calculator->GetEvaluation(), calculator->GetCells() };
-  });
+  // Any type of image will do: the junctions and the label volume stand for it.
+  const auto calculator = itk::CellWallMeshEvaluationCalculator<itk::Image<std::uint32_t, 3>>::New();
+  calculator->SetJunctions(extracted.junctions);
+  calculator->SetLabelVolume(extracted.volume);
+  calculator->SetTriangles(triangles);
+  WithFileName(meshFile, [&] { calculator->Compute(); });
+  return { calculator->GetEvaluation(), calculator->GetCells() };
 }
 
 Json
@@ -218,7 +214,7 @@ main(int argc, char ** argv)
     const LabelImage image = ReadLabelImage(options.image, progress);
     const auto       extracted = FindJunctions(image, options.image, progress);
     const auto       triangles = ReadMesh(options, progress);
-    const Evaluation evaluation = Evaluate(image, extracted, triangles, options.mesh, progress);
+    const Evaluation evaluation = Evaluate(extracted, triangles, options.mesh, progress);
     progress.End();
     WriteReport(evaluation, options.report);
     if (!options.run.isQuiet)
