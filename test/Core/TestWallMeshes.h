@@ -10,8 +10,8 @@
 #include "Dual/CellCorners.h"
 #include "Dual/DualMesh.h"
 #include "Remeshing/WallRefinement.h"
+#include "RunBackwards.h"
 #include "TestComplexes.h"
-#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "WallMeshChecks.h"
 
@@ -147,16 +147,6 @@ ExpectSound(const WallMesh & mesh, VertexId numberOfCells)
   ExpectInvariants(mesh, numberOfCells + 1);
   EXPECT_TRUE(CheckCellSurfaces(mesh, numberOfCells + 1).IsSound());
   ExpectNoChordOfOtherWalls(mesh);
-}
-
-/** Runs from the last to the first. */
-inline void
-RunBackwards(std::size_t count, const Execution::LoopBody & body)
-{
-  while (count > 0)
-  {
-    body(--count);
-  }
 }
 } // namespace tissue_test
 

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Nerve/TestGeneralComplexes.h"
 #include "Nerve/TestImages.h"
+#include "RunBackwards.h"
 
 #include <gtest/gtest.h>
 
@@ -236,12 +237,7 @@ TEST(ImageNerve, OfNoiseIsGluedThroughout)
 
 TEST(ImageNerve, IsTheSameForAnyOrderOfTheLoops)
 {
-  const Execution   backwards([](std::size_t count, const Execution::LoopBody & body) {
-    for (std::size_t i = count; i-- > 0;)
-    {
-      body(i);
-    }
-  });
+  const Execution   backwards(tissue_test::RunBackwards);
   const LabelVolume volume = Torus(6);
   const auto        blocks = FindCrowdedBlocks(volume, backwards);
   const ImageNerve  nerve = MakeImageNerve(volume, NumberOfVertices(volume), blocks, backwards);

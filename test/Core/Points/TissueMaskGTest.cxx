@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "Points/TissueMask.h"
+#include "RunBackwards.h"
 #include "TestComplexes.h"
 
 #include <gtest/gtest.h>
@@ -75,13 +76,7 @@ TEST(TissueMask, IsCutByTheBox)
 
 TEST(TissueMask, IsTheSameInAnyOrderOfItsParts)
 {
-  const auto backwards = [](std::size_t count, const std::function<void(std::size_t)> & body) {
-    for (std::size_t i = count; i > 0; --i)
-    {
-      body(i - 1);
-    }
-  };
-  EXPECT_EQ(MaskOfCube(0.6).inside, MaskOfCube(0.6, Execution(backwards)).inside);
+  EXPECT_EQ(MaskOfCube(0.6).inside, MaskOfCube(0.6, Execution(tissue_test::RunBackwards)).inside);
 }
 
 TEST(TissueMask, IsSampledInSmallGroups)

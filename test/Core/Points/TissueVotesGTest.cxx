@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Points/TissueMask.h"
 #include "Points/TissueVotes.h"
+#include "RunBackwards.h"
 
 #include <gtest/gtest.h>
 
@@ -109,14 +110,8 @@ TEST(TissueVotes, DoubtOfShapesMakesSomeCellsRounder)
 
 TEST(TissueVotes, AreTheSameInAnyOrder)
 {
-  const auto backwards = [](std::size_t count, const std::function<void(std::size_t)> & body) {
-    for (std::size_t i = count; i > 0; --i)
-    {
-      body(i - 1);
-    }
-  };
   const auto a = Vote(EightCells(0.1), 0.05);
-  const auto b = Vote(EightCells(0.1), 0.05, 0.0, Execution(backwards));
+  const auto b = Vote(EightCells(0.1), 0.05, 0.0, Execution(tissue_test::RunBackwards));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
   {

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "Points/TissueMask.h"
+#include "RunBackwards.h"
 #include "Tessellation/CellMoments.h"
 #include "Tessellation/CentroidFit.h"
 #include "TissueTessellationCore/Common/Random.h"
@@ -198,15 +199,9 @@ TEST(CentroidFit, SendsTheSeedOfAnEmptyCellBackToItsPoint)
 
 TEST(CentroidFit, IsTheSameInAnyOrderOfItsParts)
 {
-  const Recovery recovery;
-  const auto     backwards = [](std::size_t count, const std::function<void(std::size_t)> & body) {
-    for (std::size_t i = count; i > 0; --i)
-    {
-      body(i - 1);
-    }
-  };
+  const Recovery    recovery;
   const CentroidFit a = recovery.Fit(0.0);
-  const CentroidFit b = recovery.Fit(0.0, Execution(backwards));
+  const CentroidFit b = recovery.Fit(0.0, Execution(tissue_test::RunBackwards));
   for (std::size_t i = 0; i < 64; ++i)
   {
     EXPECT_EQ(a.GetSeeds()[i].position, b.GetSeeds()[i].position);
