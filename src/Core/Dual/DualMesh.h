@@ -7,37 +7,68 @@
 #ifndef TissueTessellationCore_DualMesh_h
 #define TissueTessellationCore_DualMesh_h
 
-#include "Complex/AdjacencyComplex.h"
+#include "Nerve/GeneralComplex.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace tissue
 {
-/** \brief The dual of an adjacency complex (paper, section 4.2): a corner for each tetrahedron and a polygonal wall for
- * each edge. The polygons need not be plane. */
+class AdjacencyComplex;
+
+/** \brief The dual of a complex (paper, section 4.2): a corner for each tetrahedron, a line for each triangle and a
+ * polygonal wall for each edge. The polygons need not be plane. */
 struct DualMesh
 {
+  /** Where three cells meet, from corner to corner. */
+  struct Line
+  {
+    /** Indices of its corners. Other lines may have the same two. */
+    std::array<PointId, 2> ends = { { 0, 0 } };
+    /** Counterclockwise seen from the second end. */
+    VertexTriple cells = { { 0, 0, 0 } };
+    /** A point of the line between its ends. */
+    Point middle = { { 0.0, 0.0, 0.0 } };
+  };
+
   struct Wall
   {
     /** The two cells, as in WallMesh: the smaller label first, and the exterior always second. */
     VertexPair cells = { { 0, 0 } };
-    /** The indices of the corners, at least three, counterclockwise seen from the second cell. */
+    /** The indices of the corners, at least two, counterclockwise seen from the second cell. The first is the smallest
+     * one. */
     std::vector<PointId> corners;
+    /** The indices of the lines from each corner to the next. */
+    std::vector<std::int32_t> lines;
   };
 
   std::vector<Point> corners;
-  /** The walls, ascending by the smaller, then by the larger vertex of each. */
+  /** The four cells at each corner. */
+  std::vector<VertexQuadruple> cellsOfCorner;
+  std::vector<Line>            lines;
+  /** The walls, ascending by the smaller, then by the larger vertex of each, then by their corners. */
   std::vector<Wall> walls;
 };
 
-/** Returns the dual of a complex. The corners are given in the order of AdjacencyComplex::GetTetrahedra(). */
+/** The middle of the line that a triangle of the complex stands for. */
+using LineMiddle = std::function<Point(const Side & triangle)>;
+
+/** Returns the dual of a complex whose ids are 0 ... NumberOfTetrahedra() - 1. The corners are given in their order.
+ * \throws std::invalid_argument unless there is one for each. */
+DualMesh
+Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LineMiddle & middleOf);
+
+/** Returns the dual of a simplicial complex. The corners are given in the order of AdjacencyComplex::GetTetrahedra(),
+ * lines are straight. */
 DualMesh
 Dualize(const AdjacencyComplex & complex, std::vector<Point> corners);
 
-/** \brief Divides each wall into triangles around a new point at the mean of its corners (paper, section 4.2): a star.
+/** \brief Divides each wall into triangles around a new point at the mean of its outline (paper, section 4.2): a star.
  *
- * The points of the mesh are the corners, in their order, and then the walls' centres, in that of the walls. */
+ * Outlines are the corners, and the middles of lines that have both ends in common with another, without which the two
+ * were one. The points of the mesh are the
+ * corners, in their order, then these middles, then the walls' centres, in the order of the walls. */
 WallMesh
 TriangulateAsStars(const DualMesh & dual);
 } // namespace tissue

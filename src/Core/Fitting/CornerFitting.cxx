@@ -6,9 +6,7 @@
  *=========================================================================*/
 #include "Fitting/CornerFitting.h"
 
-#include "Dual/CellCorners.h"
-#include "Dual/DualMesh.h"
-#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "Fitting/CellsAtPoint.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -41,36 +39,16 @@ struct CornerPair
   Point        direction;
 };
 
-/** Finds the cell that two neighbouring corners have in common besides those of the wall; -1 if there is none. */
-VertexId
-ThirdCell(const VertexQuadruple & a, const VertexQuadruple & b, const VertexPair & wall)
-{
-  for (const VertexId v : a)
-  {
-    if (v != wall[0] && v != wall[1] && std::find(b.begin(), b.end(), v) != b.end())
-    {
-      return v;
-    }
-  }
-  return -1;
-}
-
 std::vector<CornerPair>
-CollectLines(const DualMesh & dual, const std::vector<VertexQuadruple> & tetrahedra)
+CollectLines(const DualMesh & dual, const std::vector<VertexId> & cellOf)
 {
   std::vector<CornerPair> lines;
-  for (const DualMesh::Wall & wall : dual.walls)
+  for (const DualMesh::Line & line : dual.lines)
   {
-    for (std::size_t i = 0; i < wall.corners.size(); ++i)
+    if (CellsOfVertices(line.cells, cellOf).count == 3)
     {
-      const PointId  a = wall.corners[i];
-      const PointId  b = wall.corners[(i + 1) % wall.corners.size()];
-      const VertexId third = ThirdCell(tetrahedra[a], tetrahedra[b], wall.cells);
-      // A line is met in each of its three walls, and taken from one of them.
-      if (third > wall.cells[0] && third > wall.cells[1])
-      {
-        lines.push_back({ a, b, { { wall.cells[0], wall.cells[1], third } }, {} });
-      }
+      const VertexTriple & v = line.cells;
+      lines.push_back({ line.ends[0], line.ends[1], { { cellOf[v[0]], cellOf[v[1]], cellOf[v[2]] } }, {} });
     }
   }
   return lines;
@@ -126,23 +104,22 @@ KeepApart(std::vector<CornerPair> & lines, const IndicatorField & field, std::ve
 }
 } // namespace
 
-std::vector<Point>
-FitCorners(const AdjacencyComplex & complex, const JunctionSet & junctions, const IndicatorField & field,
-           std::vector<std::size_t> * unfitted)
+std::vector<std::size_t>
+FitCorners(ImageDual & dual, const std::vector<VertexId> & cellOf, const IndicatorField & field)
 {
-  const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
-  std::vector<Point>                 corners = ComputeCorners(complex, junctions, CornerRule::ImageJunction);
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  std::vector<std::size_t> unfitted;
+  for (std::size_t i = 0; i < dual.mesh.corners.size(); ++i)
   {
-    const bool isFitted =
-      FindJunction(junctions, tetrahedra[i]) != nullptr && field.Project(corners[i], tetrahedra[i], 4, Reach);
-    if (!isFitted && unfitted != nullptr)
+    const CellsAtPoint at = CellsOfVertices(dual.mesh.cellsOfCorner[i], cellOf);
+    const bool         isFitted =
+      at.count > 1 && dual.isInImage[i] && field.Project(dual.mesh.corners[i], at.cells, at.count, Reach);
+    if (!isFitted && at.count == 4)
     {
-      unfitted->push_back(i);
+      unfitted.push_back(i);
     }
   }
-  std::vector<CornerPair> lines = CollectLines(Dualize(complex, corners), tetrahedra);
-  KeepApart(lines, field, corners);
-  return corners;
+  std::vector<CornerPair> lines = CollectLines(dual.mesh, cellOf);
+  KeepApart(lines, field, dual.mesh.corners);
+  return unfitted;
 }
 } // namespace tissue

@@ -4,10 +4,8 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Fitting/WallFitting.h"
+#include "Fitting/WallFitting.h"
 
-#include "Complex/AdjacencyComplex.h"
-#include "Dual/DualMesh.h"
 #include "Fitting/CornerFitting.h"
 #include "Fitting/CrossingGuard.h"
 #include "Fitting/CrossingWalls.h"
@@ -15,15 +13,16 @@
 #include "Fitting/TriangleImprovement.h"
 #include "Fitting/Untangling.h"
 #include "Fitting/VolumeFitting.h"
+#include "Fitting/WallFaces.h"
 #include "Fitting/WallProjection.h"
 #include "Mesh/Crossings.h"
+#include "Mesh/WallJoining.h"
 #include "Mesh/WallMeshOrder.h"
+#include "Mesh/WallPieces.h"
 #include "Remeshing/LineSubdivision.h"
 #include "Remeshing/WallEdgeLengths.h"
 #include "Remeshing/WallRemeshing.h"
-#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
 
 #include <cmath>
@@ -53,45 +52,42 @@ constexpr int LastVolumeSteps = 10;
 constexpr double VolumeTolerance = 1e-9;
 /** The shares of its way that a point is set back to, one after the other, while it makes triangles cross. */
 const std::vector<double> GuardShares = { 0.3, 0.0 };
-/** The same for the centres of the walls when they are lifted to the image, where the ways are long. */
-const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
 /** \brief Makes the star of a complex's dual and fits it, and the mesh it is remeshed to, to the label image. */
 class Fitter
 {
 public:
-  Fitter(const JunctionSet & junctions, const LabelVolume & volume, const std::vector<VertexId> & ranks,
-         const Execution & execution)
-    : m_Junctions(junctions)
-    , m_Volume(volume)
-    , m_Ranks(ranks)
-    , m_Field(volume)
+  Fitter(const TissueImage & tissue, const Execution & execution)
+    : m_Tissue(tissue)
+    , m_Field(tissue.cells)
     , m_Execution(execution)
+    , m_Volumes(tissue.volumes)
   {
-    for (VertexId v = 0; v < junctions.NumberOfVertices(); ++v)
-    {
-      m_Volumes.push_back(junctions.CellOfVertex(v).volume);
-    }
     m_Volumes[ExteriorVertex] = 0.0;
   }
 
   WallMesh
-  MakeStar(const AdjacencyComplex & complex, WallFittingStatistics & statistics)
+  MakeStar(ImageDual dual, WallFittingStatistics & statistics)
   {
-    std::vector<std::size_t> unfitted;
-    WallMesh          mesh = TriangulateAsStars(Dualize(complex, FitCorners(complex, m_Junctions, m_Field, &unfitted)));
-    const std::size_t numberOfCorners = mesh.points.size() - mesh.walls.size();
-    this->OrderSpatially(mesh, numberOfCorners);
+    this->CountUnfitted(dual, FitCorners(dual, m_Tissue.cellOf, m_Field), statistics);
+    this->TakeWallsInOrder(dual.mesh);
+    WallMesh          mesh = TriangulateAsStars(dual.mesh);
+    const std::size_t numberOfCorners = this->OrderPoints(mesh, dual.mesh.corners.size());
+    for (WallMesh::Wall & wall : mesh.walls)
+    {
+      m_Pairs.push_back(wall.cells);
+      wall.cells = { { m_Tissue.cellOf[wall.cells[0]], m_Tissue.cellOf[wall.cells[1]] } };
+    }
     const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
-    m_Faces = CollectImageFaces(m_Volume, CellsOfWalls(mesh));
+    m_Faces = CollectWallFaces(mesh, m_Pairs, m_Tissue.vertices);
+    this->LiftCenters(mesh);
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_Execution);
-    this->CountUnfitted(complex, unfitted, statistics);
     statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_Execution).size());
     statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_Execution);
     statistics.untangledPairs -= statistics.crossingPairs;
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
-    this->LiftCenters(mesh);
+    this->FitStar(mesh);
     return mesh;
   }
 
@@ -110,13 +106,14 @@ public:
     // The mesh is remeshed three times, as its lines and walls grow longer on their way to the image. The rounds after
     // each remeshing project the points, improve the triangles and give the cells their volumes, and take back what
     // makes triangles cross.
-    const double wanted = trianglesPerCell * static_cast<double>(m_Junctions.cells.size() - 1);
+    const double wanted = trianglesPerCell * static_cast<double>(m_Volumes.size() - 1);
     double       done = 0.0;
     const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
     m_Execution.Report(StarShare);
     std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
     double              area = ComputeArea(mesh);
-    WallProjection      projection(mesh, m_Volume, m_Field, m_Faces, lengths, m_Anchors);
+    WallProjection      projection(
+      mesh, { m_Tissue.vertices, m_Tissue.cellOf, m_Pairs }, m_Field, m_Faces, lengths, m_Anchors);
     for (std::size_t meshing = 0; meshing < std::size(RoundsPerMeshing); ++meshing)
     {
       if (meshing > 0)
@@ -143,64 +140,84 @@ public:
     }
   }
 
-  /** Numbers the corners as Dualize() does, in the order of the tetrahedra. */
+  /** Numbers the corners in the order of the dual. */
   void
   PutCornersInOrder(WallMesh & mesh) const
   {
     std::vector<PointId> order(mesh.points.size());
     std::iota(order.begin(), order.end(), PointId{ 0 });
-    std::copy(m_CornerOfTetrahedron.begin(), m_CornerOfTetrahedron.end(), order.begin());
+    std::copy(m_Corners.begin(), m_Corners.end(), order.begin());
     TakePoints(mesh, order);
   }
 
 private:
+  /** Leaves out walls within a cell, and orders the others by the ranks of their cells. */
   void
-  OrderSpatially(WallMesh & mesh, std::size_t numberOfCorners)
+  TakeWallsInOrder(DualMesh & dual) const
   {
-    mesh = OrderWalls(mesh, m_Ranks);
-    const std::vector<PointId> order = PointsByTriangles(mesh);
+    const auto & cellOf = m_Tissue.cellOf;
+    const auto   isWithinCell = [&](const DualMesh::Wall & wall) {
+      return cellOf[wall.cells[0]] == cellOf[wall.cells[1]];
+    };
+    const auto key = [&](const DualMesh::Wall & wall) {
+      return VertexPair{ { m_Tissue.ranks[cellOf[wall.cells[0]]], m_Tissue.ranks[cellOf[wall.cells[1]]] } };
+    };
+    dual.walls.erase(std::remove_if(dual.walls.begin(), dual.walls.end(), isWithinCell), dual.walls.end());
+    std::stable_sort(dual.walls.begin(), dual.walls.end(), [&](const DualMesh::Wall & a, const DualMesh::Wall & b) {
+      return key(a) < key(b);
+    });
+  }
+
+  /** Puts the corners first, all in the order of the triangles, and returns their number. */
+  std::size_t
+  OrderPoints(WallMesh & mesh, std::size_t numberInDual)
+  {
+    std::vector<PointId> order = PointsByTriangles(mesh);
+    const auto           end = std::stable_partition(
+      order.begin(), order.end(), [&](PointId p) { return mesh.numberOfCells[p] == CellsAtCorner; });
     TakePoints(mesh, order);
-    m_CornerOfTetrahedron.resize(numberOfCorners);
-    for (std::size_t i = 0; i < numberOfCorners; ++i)
+    std::vector<PointId> placeOf(numberInDual, -1);
+    for (auto corner = order.begin(); corner != end; ++corner)
     {
-      m_CornerOfTetrahedron[order[i]] = static_cast<PointId>(i);
+      placeOf[*corner] = static_cast<PointId>(corner - order.begin());
     }
+    std::copy_if(
+      placeOf.begin(), placeOf.end(), std::back_inserter(m_Corners), [](PointId place) { return place >= 0; });
+    return m_Corners.size();
   }
 
   void
-  CountUnfitted(const AdjacencyComplex & complex, const std::vector<std::size_t> & corners,
+  CountUnfitted(const ImageDual & dual, const std::vector<std::size_t> & corners,
                 WallFittingStatistics & statistics) const
   {
-    const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
     statistics.unfittedCorners = static_cast<std::int64_t>(corners.size());
     statistics.unfittedCornersOfCell.assign(m_Volumes.size(), 0);
     for (const std::size_t corner : corners)
     {
-      for (const VertexId v : tetrahedra[corner])
+      for (const VertexId v : dual.mesh.cellsOfCorner[corner])
       {
-        ++statistics.unfittedCornersOfCell[v];
+        ++statistics.unfittedCornersOfCell[m_Tissue.cellOf[v]];
       }
     }
   }
 
-  /** Each wall's centre goes towards the centroid of the image's wall, as far as nothing crosses. */
+  /** Each wall's centre goes to the mean of its faces in the image. */
   void
   LiftCenters(WallMesh & mesh) const
   {
-    const std::vector<Point> before = mesh.points;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
+    for (std::size_t w = 0; w < mesh.walls.size(); ++w)
     {
-      const PointId center = mesh.triangles[t][0];
-      if (mesh.numberOfCells[center] != CellsWithinWall)
+      Point sum{ { 0.0, 0.0, 0.0 } };
+      for (const ImagePlaces::Place * face = m_Faces.Begin(w); face != m_Faces.End(w); ++face)
       {
-        continue; // It has none.
+        sum = sum + Point{ { (*face)[0], (*face)[1], (*face)[2] } };
       }
-      if (const Wall * const wall = FindWall(m_Junctions, mesh.walls[mesh.wallOfTriangle[t]].cells))
+      if (m_Faces.Begin(w) != m_Faces.End(w))
       {
-        mesh.points[center] = wall->center;
+        mesh.points[mesh.triangles[first[w]][0]] = (1.0 / static_cast<double>(m_Faces.End(w) - m_Faces.Begin(w))) * sum;
       }
     }
-    StepBackFromCrossings(mesh, before, LiftShares, m_Execution);
   }
 
   void
@@ -234,6 +251,8 @@ private:
     SubdivideLines(star, lengths);
     SubdivideWalls(star, lengths, m_Execution);
     statistics.starWalls = MendCrossingWalls(mesh, star, m_Execution);
+    // Stars whose lines have got points may cross others again.
+    Untangle(mesh, UntanglingSweeps, m_Execution);
     return lengths;
   }
 
@@ -253,39 +272,34 @@ private:
     MendCrossingWalls(mesh, old, m_Execution);
   }
 
-  const JunctionSet & m_Junctions;
-  const LabelVolume & m_Volume;
-  /** Of the vertices, in spatial order. */
-  const std::vector<VertexId> & m_Ranks;
-  IndicatorField                m_Field;
-  const Execution &             m_Execution;
-  std::vector<double>           m_Volumes;
-  ImagePlaces                   m_Faces{ 0, {} };
+  const TissueImage & m_Tissue;
+  IndicatorField      m_Field;
+  const Execution &   m_Execution;
+  std::vector<double> m_Volumes;
+  /** Of each wall its vertices in the complex. */
+  std::vector<VertexPair> m_Pairs;
+  ImagePlaces             m_Faces{ 0, {} };
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
-  /** The mesh's own corners are in spatial order. */
-  std::vector<PointId> m_CornerOfTetrahedron;
+  /** In the order of the dual, the points of the mesh. */
+  std::vector<PointId> m_Corners;
 };
 } // namespace
 
 WallMesh
-FitWalls(const AdjacencyComplex & complex, const JunctionSet & junctions, const LabelVolume & volume,
-         const std::vector<VertexId> & ranks, double trianglesPerCell, WallFittingStatistics * statistics,
+FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, WallFittingStatistics * statistics,
          const Execution & execution)
 {
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
-  Fitter                  fitter(junctions, volume, ranks, execution);
-  WallMesh                mesh = fitter.MakeStar(complex, s);
+  Fitter                  fitter(tissue, execution);
+  WallMesh                mesh = fitter.MakeStar(std::move(dual), s);
   if (trianglesPerCell > 0.0)
   {
     fitter.FitRemeshed(mesh, trianglesPerCell, s);
   }
-  else
-  {
-    fitter.FitStar(mesh);
-  }
   fitter.PutCornersInOrder(mesh);
+  JoinWalls(mesh);
   s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
   return mesh;
 }

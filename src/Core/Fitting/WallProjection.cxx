@@ -77,67 +77,76 @@ Nearest(const ImagePlaces::Place * begin, const ImagePlaces::Place * end, const 
   }));
 }
 
-/** Finds the three cells at each point of a line. */
-std::map<PointId, VertexTriple>
-CellsOfLinePoints(const WallMesh & mesh)
+/** Finds the vertices of the complex at each point of a line or corner, -1 for fewer than four. */
+std::map<PointId, VertexQuadruple>
+VerticesAtPoints(const WallMesh & mesh, const std::vector<VertexPair> & pairs)
 {
-  std::map<PointId, VertexTriple> cellsOf;
+  std::map<PointId, CellsAtPoint> at;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     for (const PointId p : mesh.triangles[t])
     {
-      if (mesh.numberOfCells[p] == CellsOnLine)
+      if (mesh.numberOfCells[p] != CellsWithinWall)
       {
-        VertexTriple & cells = cellsOf.emplace(p, VertexTriple{ { -1, -1, -1 } }).first->second;
-        for (const VertexId v : mesh.walls[mesh.wallOfTriangle[t]].cells)
-        {
-          if (std::find(cells.begin(), cells.end(), v) == cells.end())
-          {
-            *std::find(cells.begin(), cells.end(), -1) = v;
-          }
-        }
+        CellsAtPoint & vertices = at[p];
+        vertices.Add(pairs[mesh.wallOfTriangle[t]][0]);
+        vertices.Add(pairs[mesh.wallOfTriangle[t]][1]);
       }
     }
   }
-  for (auto & [p, cells] : cellsOf)
+  std::map<PointId, VertexQuadruple> verticesAt;
+  for (const auto & [p, vertices] : at)
   {
-    std::sort(cells.begin(), cells.end());
+    verticesAt[p] = vertices.cells;
   }
-  return cellsOf;
+  return verticesAt;
 }
 } // namespace
 
-WallProjection::WallProjection(const WallMesh & mesh, const LabelVolume & volume, const IndicatorField & field,
+WallProjection::WallProjection(const WallMesh & mesh, const ComplexImage & complex, const IndicatorField & field,
                                const ImagePlaces & faces, const std::vector<double> & edgeLengths,
                                const std::vector<Point> & corners)
-  : m_Field(field)
+  : m_Complex(complex)
+  , m_Field(field)
   , m_Faces(faces)
   , m_Corners(corners)
   , m_LinePlaces(0, {})
 {
-  this->CollectLines(mesh, volume);
+  this->CollectLines(mesh);
   this->SetWalls(mesh, edgeLengths);
 }
 
 void
-WallProjection::CollectLines(const WallMesh & mesh, const LabelVolume & volume)
+WallProjection::CollectLines(const WallMesh & mesh)
 {
   std::map<VertexTriple, std::vector<PointId>> pointsOf;
-  for (const auto & [p, cells] : CellsOfLinePoints(mesh))
+  for (const auto & [p, vertices] : VerticesAtPoints(mesh, m_Complex.pairs))
   {
-    pointsOf[cells].push_back(p);
+    if (mesh.numberOfCells[p] == CellsAtCorner)
+    {
+      m_CellsAtCorners.push_back(CellsOfVertices(vertices, m_Complex.cellOf));
+    }
+    else
+    {
+      VertexTriple line{ { vertices[0], vertices[1], vertices[2] } };
+      std::sort(line.begin(), line.end());
+      pointsOf[line].push_back(p);
+    }
   }
   std::vector<VertexTriple> lines;
   for (const auto & line : pointsOf)
   {
     lines.push_back(line.first);
   }
-  m_LinePlaces = CollectImageLines(volume, lines);
+  m_LinePlaces = CollectImageLines(m_Complex.volume, lines);
   for (std::size_t l = 0; l < lines.size(); ++l)
   {
-    const VertexTriple & c = lines[l];
-    m_Lines.push_back(
-      { { { c[0], c[1], c[2], -1 } }, 3, 0.0, pointsOf[c], m_LinePlaces.Begin(l), m_LinePlaces.End(l) });
+    m_Lines.push_back({ CellsOfVertices(lines[l], m_Complex.cellOf),
+                        lines[l],
+                        0.0,
+                        pointsOf[lines[l]],
+                        m_LinePlaces.Begin(l),
+                        m_LinePlaces.End(l) });
   }
   // The lines come in the order of the mesh's points, so that what is near in the tissue is near in memory.
   std::sort(m_Lines.begin(), m_Lines.end(), [](const Group & a, const Group & b) {
@@ -149,15 +158,18 @@ void
 WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edgeLengths)
 {
   // Each wall makes a group, of the points within it and its faces in the image. The groups of the lines are kept from
-  // the constructor, and only get their edge length anew: the least of their three walls'.
+  // the constructor, and only get their edge length anew: the least of their walls'.
   std::map<VertexPair, double> lengthOf;
   m_Groups.assign(mesh.walls.size(), {});
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
   {
-    VertexPair cells = mesh.walls[w].cells;
-    m_Groups[w] = { { { cells[0], cells[1], -1, -1 } }, 2, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w) };
-    std::sort(cells.begin(), cells.end());
-    lengthOf[cells] = edgeLengths[w];
+    VertexPair pair = m_Complex.pairs[w];
+    m_Groups[w] = {
+      CellsOfVertices(pair, m_Complex.cellOf), {}, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w)
+    };
+    std::sort(pair.begin(), pair.end());
+    double & length = lengthOf.emplace(pair, edgeLengths[w]).first->second;
+    length = std::min(length, edgeLengths[w]);
   }
   std::vector<unsigned char> isDone(mesh.points.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -173,9 +185,13 @@ WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edge
   }
   for (Group & line : m_Lines)
   {
-    const VertexQuadruple & c = line.cells;
-    line.edgeLength =
-      std::min({ lengthOf[{ { c[0], c[1] } }], lengthOf[{ { c[0], c[2] } }], lengthOf[{ { c[1], c[2] } }] });
+    line.edgeLength = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto [u, v] = std::minmax(line.vertices[i], line.vertices[(i + 1) % 3]);
+      const auto length = lengthOf.find({ { u, v } });
+      line.edgeLength = std::min(line.edgeLength, length != lengthOf.end() ? length->second : line.edgeLength);
+    }
     m_Groups.push_back(line);
   }
 }
@@ -185,7 +201,11 @@ WallProjection::Move(WallMesh & mesh, const Execution & execution) const
 {
   for (std::size_t p = 0; p < m_Corners.size(); ++p)
   {
-    mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
+    const CellsAtPoint & at = m_CellsAtCorners[p];
+    if (at.count == 4 || !m_Field.Project(mesh.points[p], at.cells, at.count, Reach))
+    {
+      mesh.points[p] = mesh.points[p] + CornerShare * (m_Corners[p] - mesh.points[p]);
+    }
   }
   execution.For((m_Groups.size() + GroupsPerTask - 1) / GroupsPerTask, [&](std::size_t task) {
     for (std::size_t g = task * GroupsPerTask; g < std::min(m_Groups.size(), (task + 1) * GroupsPerTask); ++g)
@@ -210,7 +230,7 @@ WallProjection::MoveGroup(const Group & group, WallMesh & mesh) const
     Point &    p = mesh.points[group.points[i]];
     const auto count = static_cast<double>(near[i].count);
     const bool isFar = near[i].count > 0 && near[i].distance > count * group.edgeLength;
-    if (isFar || !m_Field.Project(p, group.cells, group.numberOfCells, Reach))
+    if (isFar || !m_Field.Project(p, group.at.cells, group.at.count, Reach))
     {
       p = near[i].count > 0 ? (1.0 / count) * near[i].sum : Nearest(group.begin, group.end, p);
     }

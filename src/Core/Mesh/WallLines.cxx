@@ -19,9 +19,9 @@ namespace
 /** A line's edge, once in each direction. */
 struct LineEdge
 {
-  PointId               from;
-  PointId               to;
-  std::array<WallId, 3> walls;
+  PointId                                    from;
+  PointId                                    to;
+  boost::container::static_vector<WallId, 3> walls;
 };
 
 /** Sorted by `from`, then by `to`. */
@@ -44,15 +44,22 @@ CollectLineEdges(const WallMesh & mesh)
   }
   std::sort(sides.begin(), sides.end());
   std::vector<LineEdge> edges;
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
-    // An edge from one side of a wall's outline to another is in two triangles, both of that wall.
-    if (sides[i][0] == sides[i + 2][0] && sides[i][1] == sides[i + 2][1])
+    LineEdge edge{ sides[begin][0], sides[begin][1], {} };
+    for (; end < sides.size() && sides[end][0] == edge.from && sides[end][1] == edge.to; ++end)
     {
-      const std::array<WallId, 3> walls{ { sides[i][2], sides[i + 1][2], sides[i + 2][2] } };
-      edges.push_back({ sides[i][0], sides[i][1], walls });
-      edges.push_back({ sides[i][1], sides[i][0], walls });
-      i += 2;
+      if (edge.walls.size() < edge.walls.capacity())
+      {
+        edge.walls.push_back(sides[end][2]);
+      }
+    }
+    // An edge from one side of a wall's outline to another is in two triangles, both of that wall.
+    if (edge.walls.size() > 1 && edge.walls.front() != edge.walls.back())
+    {
+      edges.push_back(edge);
+      std::swap(edge.from, edge.to);
+      edges.push_back(edge);
     }
   }
   std::sort(edges.begin(), edges.end(), [](const LineEdge & a, const LineEdge & b) {
@@ -97,6 +104,24 @@ CollectWallLines(const WallMesh & mesh)
            std::make_tuple(b.points.front(), b.points.back(), b.walls);
   });
   return lines;
+}
+
+std::vector<bool>
+FindDoubledLines(const std::vector<WallLine> & lines)
+{
+  const auto haveSameEnds = [&lines](std::size_t i, std::size_t j) {
+    return lines[i].points.front() == lines[j].points.front() && lines[i].points.back() == lines[j].points.back();
+  };
+  std::vector<bool> isDoubled(lines.size(), false);
+  for (std::size_t i = 1; i < lines.size(); ++i)
+  {
+    if (haveSameEnds(i - 1, i))
+    {
+      isDoubled[i - 1] = true;
+      isDoubled[i] = true;
+    }
+  }
+  return isDoubled;
 }
 
 double

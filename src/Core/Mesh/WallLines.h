@@ -10,17 +10,20 @@
 #include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
+#include <boost/container/static_vector.hpp>
+
 #include <vector>
 
 namespace tissue
 {
-/** \brief Where three walls meet, from one corner to another: the dual of a triangle of the complex. */
+/** \brief Where three walls meet, from one corner to another: the dual of a triangle of the complex. Where a cell was
+ * divided (LabelDivision.h), two walls meet at its seams. */
 struct WallLine
 {
   /** The points from the corner of the smaller index to the other corner, which are at least these two. */
   std::vector<PointId> points;
-  /** The three walls, in ascending order. */
-  std::array<WallId, 3> walls = { { 0, 0, 0 } };
+  /** The two or three walls, in ascending order. */
+  boost::container::static_vector<WallId, 3> walls;
 };
 
 /** \brief The triple lines of a wall mesh, ascending by their ends, then by their walls: the order stays when lines are
@@ -29,6 +32,10 @@ struct WallLine
  * Every edge in triangles of three walls is on a line, and every line ends at two different corners. */
 std::vector<WallLine>
 CollectWallLines(const WallMesh & mesh);
+
+/** Of each line, in the order of CollectWallLines(), whether it has both ends in common with another. */
+std::vector<bool>
+FindDoubledLines(const std::vector<WallLine> & lines);
 
 double
 LengthOf(const WallLine & line, const std::vector<Point> & points);

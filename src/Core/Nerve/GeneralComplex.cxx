@@ -144,6 +144,26 @@ GeneralComplex::FindEdges() const
   return edges;
 }
 
+GeneralComplex
+GeneralComplex::InOrder(const std::vector<TetrahedronId> & order) const
+{
+  std::vector<TetrahedronId> idOf(m_Tetrahedra.size(), Unglued);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    idOf[order[i]] = static_cast<TetrahedronId>(i);
+  }
+  GeneralComplex ordered(m_NumberOfVertices);
+  for (const TetrahedronId id : order)
+  {
+    ordered.m_Tetrahedra.push_back(m_Tetrahedra[id]);
+    for (TetrahedronId & neighbor : ordered.m_Tetrahedra.back().neighbors)
+    {
+      neighbor = neighbor >= 0 ? idOf[neighbor] : neighbor;
+    }
+  }
+  return ordered;
+}
+
 TetrahedronId
 GeneralComplex::Allocate()
 {

@@ -154,6 +154,10 @@ public:
   std::vector<Edge>
   FindEdges() const;
 
+  /** The same complex with its tetrahedra in this order, which has each id that is taken once: they become 0, 1, ... */
+  GeneralComplex
+  InOrder(const std::vector<TetrahedronId> & order) const;
+
   /** Adds a tetrahedron that is glued to nothing yet.
    * \throws std::invalid_argument where a vertex is out of range or there twice. */
   TetrahedronId

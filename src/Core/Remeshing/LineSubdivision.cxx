@@ -96,9 +96,12 @@ struct SplitEdge
 std::vector<Cut>
 PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
 {
-  std::vector<Cut> cuts;
-  for (WallLine & line : CollectWallLines(mesh))
+  std::vector<Cut>        cuts;
+  std::vector<WallLine>   lines = CollectWallLines(mesh);
+  const std::vector<bool> isDoubled = FindDoubledLines(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i)
   {
+    WallLine & line = lines[i];
     Cut cut;
     for (const PointId p : line.points)
     {
@@ -107,6 +110,7 @@ PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
     cut.lengths = cut.polygon.lengths;
     cut.segments =
       static_cast<std::size_t>(NumberOfSegments(cut.polygon.lengths.back(), EdgeLengthAt(line, edgeLengths)));
+    cut.segments = std::max<std::size_t>(cut.segments, isDoubled[i] ? 2 : 1);
     cut.line = std::move(line);
     cuts.push_back(std::move(cut));
   }

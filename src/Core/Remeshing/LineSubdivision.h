@@ -14,7 +14,8 @@
 namespace tissue
 {
 /** \brief Cuts each triple line into NumberOfSegments() pieces of equal length for its EdgeLengthAt()
- * (WallEdgeLengths.h), and the triangles at it with it. Corners stay, and points within walls do.
+ * (WallEdgeLengths.h), and the triangles at it with it; lines with both ends in common into two at least, or they were
+ * one. Corners stay, and points within walls do.
  *
  * A line that was in one piece, as a star's are, is cut where it lies. A line that was cut before gets or loses points,
  * and its points slide along the polygon that it was. Where that would turn a triangle of its walls over or flatten it,

@@ -85,7 +85,12 @@ NumberOfInteriorPoints(double area, double edgeLength, int outlineSegments)
 double
 EdgeLengthAt(const WallLine & line, const std::vector<double> & edgeLengths)
 {
-  return std::min({ edgeLengths[line.walls[0]], edgeLengths[line.walls[1]], edgeLengths[line.walls[2]] });
+  double least = edgeLengths[line.walls.front()];
+  for (const WallId wall : line.walls)
+  {
+    least = std::min(least, edgeLengths[wall]);
+  }
+  return least;
 }
 
 std::vector<double>

@@ -1,0 +1,31 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_WallFittingStatistics_h
+#define TissueTessellationCore_WallFittingStatistics_h
+
+#include <cstdint>
+#include <vector>
+
+namespace tissue
+{
+/** \brief How the fit of the walls went. */
+struct WallFittingStatistics
+{
+  /** The number of corners whose four cells do not meet in the image, or not near the corner. */
+  std::int64_t unfittedCorners = 0;
+  /** The number of unfitted corners of each cell. */
+  std::vector<std::int32_t> unfittedCornersOfCell;
+  /** The pairs of triangles of the first star that crossed and were parted, and those that no search could part. */
+  std::int64_t untangledPairs = 0;
+  std::int64_t crossingPairs = 0;
+  /** The number of walls that stay a subdivided star or outline at first, as they would cross others if remeshed. */
+  std::int64_t starWalls = 0;
+};
+
+} // namespace tissue
+
+#endif
