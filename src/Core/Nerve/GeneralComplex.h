@@ -9,6 +9,7 @@
 
 #include "Complex/Replacement.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -107,6 +108,20 @@ public:
     return m_NumberOfVertices;
   }
 
+  /** A vertex that is no cell but a part of the exterior, as ExteriorVertex is: any link is right for it. */
+  bool
+  IsOutside(VertexId v) const
+  {
+    return v == ExteriorVertex || std::binary_search(m_Outside.begin(), m_Outside.end(), v);
+  }
+
+  /** Makes vertices outside ones beside ExteriorVertex; ascending. */
+  void
+  SetOutside(std::vector<VertexId> vertices)
+  {
+    m_Outside = std::move(vertices);
+  }
+
   std::size_t
   NumberOfTetrahedra() const
   {
@@ -198,6 +213,7 @@ private:
   Allocate();
 
   VertexId                   m_NumberOfVertices;
+  std::vector<VertexId>      m_Outside;
   std::vector<Tetrahedron>   m_Tetrahedra;
   std::vector<TetrahedronId> m_Free;
 };

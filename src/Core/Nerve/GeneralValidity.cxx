@@ -84,11 +84,11 @@ CheckLinks(const GeneralComplex & complex, std::vector<std::string> & violations
     {
       violations.push_back(vertex + " is in no tetrahedron");
     }
-    else if (v != ExteriorVertex && components > 1)
+    else if (!complex.IsOutside(v) && components > 1)
     {
       violations.push_back("the link of " + vertex + " is split into " + std::to_string(components) + " surfaces");
     }
-    else if (v != ExteriorVertex && links.links[links.firstOfVertex[v]].eulerCharacteristic != 2)
+    else if (!complex.IsOutside(v) && links.links[links.firstOfVertex[v]].eulerCharacteristic != 2)
     {
       violations.push_back("the link of " + vertex + " is no sphere: its Euler characteristic is " +
                            std::to_string(links.links[links.firstOfVertex[v]].eulerCharacteristic));

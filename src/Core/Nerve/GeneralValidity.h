@@ -18,7 +18,7 @@ namespace tissue
  *
  * Checked from scratch: four different vertices a tetrahedron; gluings mutual and across triangles of the same
  * vertices, with opposite orientations; the same line from both sides; then the links, if all that is in order: of
- * every cell one sphere, of the exterior any number of closed surfaces of any genus. */
+ * every cell one sphere, of the outside vertices any number of closed surfaces of any genus. */
 std::vector<std::string>
 FindViolations(const GeneralComplex & complex);
 } // namespace tissue

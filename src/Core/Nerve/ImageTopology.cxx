@@ -9,6 +9,7 @@
 #include "Nerve/VertexLinks.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tissue
 {
@@ -26,15 +27,35 @@ FindUnsoundCells(const GeneralComplex & complex, const TissuePlaces & places)
   }
   const VertexLinks     links = FindVertexLinks(complex);
   std::vector<VertexId> unsound;
-  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  for (VertexId v = 0; v < complex.NumberOfVertices(); ++v)
   {
     const bool isSphere = links.NumberOfLinks(v) == 1 && links.links[links.firstOfVertex[v]].eulerCharacteristic == 2;
-    if (isInImage[v] && !isSphere)
+    if (isInImage[v] && !isSphere && !complex.IsOutside(v))
     {
       unsound.push_back(v);
     }
   }
   return unsound;
+}
+
+/** Puts the nerve of the divided image in the place of the image's, and the places of both. */
+void
+TakeDivision(LabelDivision division, ImageTopology & topology, const Execution & execution)
+{
+  const std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(division.volume, execution);
+  topology.places = { FindImageWalls(division.volume, execution), FindCornerPlaces(division.volume, blocks) };
+  topology.nerve = MakeImageNerve(division.volume, division.NumberOfVertices(), blocks, execution);
+  std::vector<VertexId> outside;
+  for (VertexId v = ExteriorVertex + 1; v < division.NumberOfVertices(); ++v)
+  {
+    if (division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
+    {
+      outside.push_back(v);
+    }
+  }
+  topology.nerve.complex.SetOutside(std::move(outside));
+  topology.realOf = std::move(division.realOf);
+  topology.divided = std::move(division.cells);
 }
 
 /** Finds the fragments, the places and the nerve. */
@@ -60,6 +81,16 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     blocks = FindCrowdedBlocks(*image, execution);
   }
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
+  topology.realOf.resize(static_cast<std::size_t>(topology.fragments.numberOfVertices));
+  std::iota(topology.realOf.begin(), topology.realOf.end(), ExteriorVertex);
+  execution.Report(0.6);
+  LabelDivision division = DivideLabels(*image,
+                                        topology.fragments.numberOfVertices,
+                                        FindDoubtfulWalls(*image, topology.places.walls, topology.nerve.complex));
+  if (!division.cells.empty())
+  {
+    TakeDivision(std::move(division), topology, execution);
+  }
   execution.Report(0.7);
 }
 } // namespace

@@ -9,6 +9,7 @@
 
 #include "Nerve/ImageNerve.h"
 #include "Nerve/KuhnFragments.h"
+#include "Nerve/LabelDivision.h"
 #include "Nerve/NerveRepair.h"
 #include "Nerve/PlaceDescent.h"
 
@@ -27,9 +28,14 @@ struct ImageTopology
 {
   /** The complex after repair and descent; its corners and lines lead to the image. */
   ImageNerve nerve;
-  /** What the complex was measured by: of the image with its large fragments as vertices of their own. */
-  TissuePlaces                   places;
-  Fragments                      fragments;
+  /** What the complex was measured by: of the image with its large fragments and the pieces of divided cells as
+   * vertices of their own. */
+  TissuePlaces places;
+  Fragments    fragments;
+  /** Of each vertex of the complex the one of the image that it is a piece of: a cell, or the exterior. */
+  std::vector<VertexId> realOf;
+  /** What was divided so that walls without corners are in the complex, and walls that are no disks. */
+  std::vector<DividedCell>       divided;
   std::vector<NerveRepairRecord> repairs;
   PlaceDescentResult             descent;
   /** Walls of two cells that meet no other two anywhere: spheres, or disks and rings with lines that are closed. They
@@ -39,8 +45,8 @@ struct ImageTopology
   std::vector<VertexId> unsoundCells;
 };
 
-/** Nerve, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The volume is as
- * it was in the end; it is copied where cells have fragments. */
+/** Nerve, division, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The
+ * volume is as it was in the end; it is copied where cells have fragments. */
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
                   const ImageTopologyParameters & parameters = ImageTopologyParameters(),

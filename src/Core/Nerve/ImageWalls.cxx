@@ -23,7 +23,23 @@ struct Part
   VertexPair                  cells;
   std::int64_t                numberOfFaces = 0;
   std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
+  /** Twice the centre of the first face in raster order. */
+  std::array<std::int64_t, 3> first = { { 0, 0, 0 } };
 };
+
+/** The voxels at the sides of a face, by twice its centre: one coordinate is odd. */
+std::array<VoxelIndex, 2>
+SidesOf(const std::array<std::int64_t, 3> & twice)
+{
+  std::array<VoxelIndex, 2> sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool isAcross = twice[axis] % 2 != 0;
+    sides[0][axis] = static_cast<std::int32_t>((twice[axis] - (isAcross ? 1 : 0)) / 2);
+    sides[1][axis] = sides[0][axis] + (isAcross ? 1 : 0);
+  }
+  return sides;
+}
 
 /** A plane of voxels with a border of one voxel of exterior. */
 struct LabelPlane
@@ -133,7 +149,7 @@ private:
     if (face == None)
     {
       face = static_cast<FaceId>(m_Sets.Add());
-      m_Parts.push_back({ cells, 0, { { 0, 0, 0 } } });
+      m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, center });
     }
     Part & part = m_Parts[face];
     ++part.numberOfFaces;
@@ -292,7 +308,12 @@ WallJoin::GatherWalls(const LabelVolume & volume)
   for (std::size_t i = 0; i < m_Parts.size(); ++i)
   {
     Part & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
-    whole.cells = m_Parts[i].cells;
+    if (whole.numberOfFaces == 0)
+    {
+      // A set's least part comes first here, and is of the first face.
+      whole.cells = m_Parts[i].cells;
+      whole.first = m_Parts[i].first;
+    }
     whole.numberOfFaces += m_Parts[i].numberOfFaces;
     std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
   }
@@ -306,7 +327,8 @@ WallJoin::GatherWalls(const LabelVolume & volume)
                         part.numberOfFaces,
                         volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
                                               half * static_cast<double>(part.sum[1]),
-                                              half * static_cast<double>(part.sum[2]) } }) });
+                                              half * static_cast<double>(part.sum[2]) } }),
+                        SidesOf(part.first) });
     }
   }
   std::stable_sort(walls.begin(), walls.end(), [](const ImageWall & a, const ImageWall & b) {

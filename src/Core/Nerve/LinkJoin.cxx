@@ -172,7 +172,7 @@ LinkJoin::JoinAtEdges(bool isExterior)
     for (const LocalEdge & second : m_Surfaces[s].GetEdges())
     {
       const VertexId partner = this->EndOf(second);
-      if ((partner == ExteriorVertex) != isExterior)
+      if (m_Complex.IsOutside(partner) != isExterior)
       {
         continue;
       }

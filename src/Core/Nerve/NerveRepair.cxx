@@ -81,7 +81,8 @@ DropParts(GeneralComplex & complex, std::vector<NerveRepairRecord> & records)
   for (const auto & part : parts)
   {
     const auto vertices = VerticesOf(complex, part);
-    if (std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) { return numberOfParts[v] > 1; }))
+    if (std::all_of(
+          vertices.begin(), vertices.end(), [&](VertexId v) { return numberOfParts[v] > 1 || complex.IsOutside(v); }))
     {
       for (const VertexId v : vertices)
       {
@@ -101,7 +102,7 @@ JoinLinks(GeneralComplex & complex, const TissuePlaces & places, std::vector<Ner
   std::vector<VertexId> split;
   for (VertexId v = 1; v < complex.NumberOfVertices(); ++v)
   {
-    if (links.NumberOfLinks(v) > 1)
+    if (!complex.IsOutside(v) && links.NumberOfLinks(v) > 1)
     {
       split.push_back(v);
     }
@@ -126,13 +127,13 @@ JoinLinks(GeneralComplex & complex, const TissuePlaces & places, std::vector<Ner
 
 /** How far the links of the cells are from spheres: handles, and links too many. */
 std::int64_t
-CountFaults(const VertexLinks & links)
+CountFaults(const GeneralComplex & complex, const VertexLinks & links)
 {
   std::int64_t faults = 0;
   for (std::size_t i = 0; i < links.links.size(); ++i)
   {
     const VertexLink & link = links.links[i];
-    if (link.vertex != ExteriorVertex)
+    if (!complex.IsOutside(link.vertex))
     {
       faults += (2 - link.eulerCharacteristic) / 2 + (i > links.firstOfVertex[link.vertex] ? 1 : 0);
     }
@@ -157,7 +158,7 @@ CutHandle(GeneralComplex & complex, const VertexLink & link, std::int64_t faults
       continue;
     }
     const GeneralMove inverse = complex.Apply(proposal.move);
-    if (CountFaults(FindVertexLinks(complex)) < faults)
+    if (CountFaults(complex, FindVertexLinks(complex)) < faults)
     {
       return true;
     }
@@ -177,7 +178,8 @@ CutHandles(GeneralComplex & complex, std::vector<NerveRepairRecord> & records)
     const VertexLinks links = FindVertexLinks(complex);
     for (const VertexLink & link : links.links)
     {
-      if (link.vertex != ExteriorVertex && link.eulerCharacteristic < 2 && CutHandle(complex, link, CountFaults(links)))
+      if (!complex.IsOutside(link.vertex) && link.eulerCharacteristic < 2 &&
+          CutHandle(complex, link, CountFaults(complex, links)))
       {
         records.push_back({ RepairKind::HandleCut, link.vertex, link.vertex });
         hasCut = true;
@@ -209,7 +211,6 @@ AbsentCells
 FindAbsent(const GeneralComplex & complex, const TissuePlaces & places)
 {
   std::vector<bool> isPresent(static_cast<std::size_t>(complex.NumberOfVertices()), false);
-  isPresent[ExteriorVertex] = true;
   for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
   {
     for (int i = 0; complex.IsAlive(id) && i < 4; ++i)
@@ -222,7 +223,7 @@ FindAbsent(const GeneralComplex & complex, const TissuePlaces & places)
   {
     for (const VertexId v : wall.cells)
     {
-      if (!isPresent[v])
+      if (!isPresent[v] && !complex.IsOutside(v))
       {
         absent[v].push_back(&wall);
       }

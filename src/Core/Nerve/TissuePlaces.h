@@ -20,6 +20,9 @@ struct ImageWall
   std::int64_t numberOfFaces;
   /** Mean of the faces' centres, in physical space. */
   Point center;
+  /** The voxels at the sides of the wall's first face, that of the least index first; one may be outside of the image.
+   */
+  std::array<VoxelIndex, 2> face = {};
 };
 
 /** A place of the image where four cells meet: 2x2x2 blocks that hold all four and touch each other, if by a corner. A

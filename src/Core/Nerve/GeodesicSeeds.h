@@ -1,0 +1,73 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_GeodesicSeeds_h
+#define TissueTessellationCore_GeodesicSeeds_h
+
+#include "Nerve/KuhnWall.h"
+
+#include <cstddef>
+#include <unordered_map>
+
+namespace tissue
+{
+/** \brief Divides a set of voxels among seeds, each voxel to the nearest by steps of the Kuhn subdivision within the
+ * set, so that the part of each seed is one piece. Of two seeds as near the one that was there first keeps a voxel. */
+class GeodesicSeeds
+{
+public:
+  static constexpr int None = -1;
+
+  /** \param region each voxel once, in an order that is kept; the lengths of steps are those of the volume. */
+  GeodesicSeeds(const LabelVolume & volume, std::vector<VoxelIndex> region);
+
+  /** Puts a seed onto a voxel of the region, and gives it what it is nearer to than all seeds before. */
+  void
+  Add(const VoxelIndex & voxel);
+
+  /** Puts seeds onto voxels of the region, each time the one that is the farthest from all seeds, until none is farther
+   * than half the largest distance between two of them: four on a disk, or a ring, and six on a sphere. */
+  void
+  Cover(const std::vector<VoxelIndex> & voxels);
+
+  int
+  NumberOfSeeds() const
+  {
+    return m_NumberOfSeeds;
+  }
+  const std::vector<VoxelIndex> &
+  GetRegion() const
+  {
+    return m_Region;
+  }
+  /** Of a voxel of the region by its index there; None of one that no seed leads to. */
+  int
+  SeedOf(std::size_t index) const
+  {
+    return m_Seeds[index];
+  }
+
+private:
+  std::int64_t
+  KeyOf(const VoxelIndex & voxel) const;
+
+  double
+  DistanceTo(const VoxelIndex & voxel) const
+  {
+    return m_Distances[m_IndexOf.at(this->KeyOf(voxel))];
+  }
+
+  const LabelVolume &                           m_Volume;
+  std::array<double, 14>                        m_Lengths;
+  std::vector<VoxelIndex>                       m_Region;
+  std::unordered_map<std::int64_t, std::size_t> m_IndexOf;
+  std::vector<double>                           m_Distances;
+  std::vector<int>                              m_Seeds;
+  int                                           m_NumberOfSeeds = 0;
+};
+} // namespace tissue
+
+#endif

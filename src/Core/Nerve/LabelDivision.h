@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_LabelDivision_h
+#define TissueTessellationCore_LabelDivision_h
+
+#include "Nerve/ImageNerve.h"
+#include "Nerve/KuhnWall.h"
+#include "Nerve/TissuePlaces.h"
+
+namespace tissue
+{
+/** A cell, or the exterior, that was divided, and into how many vertices. */
+struct DividedCell
+{
+  VertexId     cell;
+  std::int32_t numberOfPieces;
+};
+
+/** \brief A label image whose cells are divided where their walls need corners. */
+struct LabelDivision
+{
+  /** With some exterior around what it was, in the same place of physical space. Without voxels where nothing was to be
+   * divided. */
+  LabelVolume volume;
+  /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
+  std::vector<VertexId> realOf;
+  /** Ascending. */
+  std::vector<DividedCell> cells;
+
+  VertexId
+  NumberOfVertices() const
+  {
+    return static_cast<VertexId>(realOf.size());
+  }
+};
+
+/** \brief Divides cells so that the nerve has all of an image's walls.
+ *
+ * The nerve knows a wall by its corners. A wall is in it as it is in the image if its boundary is one circle, with
+ * corners: a disk. One that is closed, that has several boundaries, or that ends at a line without corners, is not:
+ * around a cell that touches one or two others, or within another one, or that runs through air like a bar. Where one
+ * of the cells of such a wall is taken for several, the walls between these end on it, make corners, and cut it into
+ * disks. The larger one of the two cells is divided, the one around the other as a rule: if it is the exterior in a
+ * layer around the wall, if it is a cell the whole of it, among seeds spread over the wall. Pieces whose walls are not
+ * yet disks are divided again, in a few rounds.
+ *
+ * The pieces of a cell are cells of the nerve, those of the exterior are exterior. What the walls between them are like
+ * means nothing, and they are to be dropped in the end.
+ *
+ * \param starts an edge of the Kuhn subdivision across each wall that may be no disk; others are not looked at. */
+LabelDivision
+DivideLabels(const LabelVolume & volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts);
+
+/** An edge across each wall of two cells that have another number of walls in the nerve than in the image. */
+std::vector<KuhnEdge>
+FindDoubtfulWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve);
+} // namespace tissue
+
+#endif
