@@ -74,9 +74,10 @@ RunPipeline(const Options & options, itk::CellWallMesh::Pointer & mesh)
   filter->Update();
   mesh = filter->GetOutput();
   const TissueReconstruction & result = mesh->GetReconstruction();
-  run.phases.push_back({ "Delaunay", result.delaunay.seconds });
-  run.phases.push_back({ "clean-up", result.cleaned.seconds });
-  run.phases.push_back({ "optimization", result.optimized.seconds });
+  for (const tissue::ReconstructionStage & stage : result.stages)
+  {
+    run.phases.push_back({ stage.name, stage.seconds });
+  }
   run.phases.push_back({ "dual", result.dualSeconds });
   phase.Lap();
   const auto polyData = MakeWallPolyData(result.walls, mesh->GetJunctionSet().cells);

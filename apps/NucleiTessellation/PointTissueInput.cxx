@@ -214,7 +214,6 @@ ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & poi
                       const ReconstructionParameters & parameters, ProgressBar & progress)
 {
   JunctionOptions options;
-  options.separateVoids = parameters.separateVoids;
   options.makesVolume = parameters.fitToImage;
   ExtractedJunctions extracted = ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress);
   extracted.exteriorLabel = points.exteriorLabel;

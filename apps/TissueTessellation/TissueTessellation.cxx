@@ -17,9 +17,8 @@ TissueInput
 ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
 {
   const ReconstructionParameters & parameters = options.method.parameters;
-  const JunctionOptions            junctionOptions{
-    options.image.exteriorLabel, options.image.zeroIsCell, parameters.separateVoids, parameters.fitToImage
-  };
+  const bool needsVolume = parameters.fitToImage || parameters.source == ComplexSource::Image;
+  const JunctionOptions junctionOptions{ options.image.exteriorLabel, options.image.zeroIsCell, needsVolume };
   return options.membrane.file.empty()
            ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)
            : ReadMembranes(options.membrane, junctionOptions, progress);

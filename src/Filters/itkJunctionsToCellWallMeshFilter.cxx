@@ -33,7 +33,7 @@ JunctionsToCellWallMeshFilter::GetInput() const
 void
 JunctionsToCellWallMeshFilter::GenerateData()
 {
-  const TissueLabelVolume * const   labels = this->GetParameters().fitToImage ? this->GetLabelVolume() : nullptr;
+  const TissueLabelVolume * const   labels = this->GetLabelVolume();
   const tissue::LabelVolume * const volume = labels != nullptr ? &labels->GetLabelVolume() : nullptr;
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
   const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(

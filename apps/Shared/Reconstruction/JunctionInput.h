@@ -22,8 +22,6 @@ struct JunctionOptions
   /** Nothing: it is found in the image. */
   std::optional<Label> exteriorLabel;
   bool                 zeroIsCell = false;
-  /** See ReconstructionParameters::separateVoids. */
-  bool separateVoids = false;
   /** Whether the labels are wanted too, for walls that are fitted to them. */
   bool makesVolume = false;
 };
@@ -41,7 +39,7 @@ ExtractJunctions(const TImage * image, const JunctionOptions & options, Progress
     extraction->SetExteriorLabel(*options.exteriorLabel);
   }
   extraction->SetZeroIsCell(options.zeroIsCell);
-  extraction->SetSeparateVoids(options.separateVoids);
+  extraction->SeparateVoidsOff();
   extraction->SetGenerateLabelVolume(options.makesVolume);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);

@@ -67,7 +67,6 @@ MeshToJson(const ReconstructionReport & report)
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
            { "parts", reconstruction.numberOfParts },
-           { "voids", reconstruction.numberOfVoids },
            { "walls", mesh.walls.size() },
            { "fitted", reconstruction.isFitted },
            { "cornersNotFitted", reconstruction.fitting.unfittedCorners },
@@ -85,17 +84,17 @@ MeshToJson(const ReconstructionReport & report)
 }
 
 Json
-ToJson(const StageEvaluation & evaluation)
+ToJson(const StageEvaluation & evaluation, const std::vector<ReconstructionStage> & stages)
 {
-  const auto toJson = [](const AdjacencyOverlap & overlap) {
-    return Json{ { "adjacency2", overlap.adjacency2 }, { "adjacency4", overlap.adjacency4 } };
-  };
-  return { { "against", evaluation.against },
-           { "cellsWithoutCounterpart", evaluation.numberOfUnknownCells },
-           { "missedCells", evaluation.numberOfMissedCells },
-           { "delaunay", toJson(evaluation.delaunay) },
-           { "cleaned", toJson(evaluation.cleaned) },
-           { "optimized", toJson(evaluation.optimized) } };
+  Json json{ { "against", evaluation.against },
+             { "cellsWithoutCounterpart", evaluation.numberOfUnknownCells },
+             { "missedCells", evaluation.numberOfMissedCells } };
+  for (std::size_t i = 0; i < stages.size(); ++i)
+  {
+    const AdjacencyOverlap & overlap = evaluation.stages[i];
+    json[stages[i].name] = { { "adjacency2", overlap.adjacency2 }, { "adjacency4", overlap.adjacency4 } };
+  }
+  return json;
 }
 
 Json
@@ -157,16 +156,19 @@ SecondsToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.GetReconstruction();
   // With the threads that the times are for: nothing else in the report depends on them.
-  return { { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
+  Json json{ { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
            { "read", report.input.seconds.read },
            { "closeGaps", report.input.seconds.closeGaps },
            { "segmentation", report.input.seconds.segment },
            { "extractJunctions", report.input.extracted.seconds },
-           { "delaunay", r.delaunay.seconds },
-           { "cleanUp", r.cleaned.seconds },
-           { "optimization", r.optimized.seconds },
-           { "dual", r.dualSeconds },
-           { "check", report.tissue.checkSeconds } };
+           };
+  for (const ReconstructionStage & stage : r.stages)
+  {
+    json[stage.name] = stage.seconds;
+  }
+  json["dual"] = r.dualSeconds;
+  json["check"] = report.tissue.checkSeconds;
+  return json;
 }
 } // namespace
 
@@ -179,12 +181,13 @@ ToJson(const ReconstructionReport & report)
   json["program"] = { { "name", report.program }, { "version", TISSUE_TESSELLATION_VERSION } };
   json["input"] = InputToJson(report);
   json["options"] = report.options;
-  json["stages"] = { { "delaunay", ToJson(r.delaunay, hasLabelImage) },
-                     { "cleaned", ToJson(r.cleaned, hasLabelImage) },
-                     { "optimized", ToJson(r.optimized, hasLabelImage) } };
+  for (const ReconstructionStage & stage : r.stages)
+  {
+    json["stages"][stage.name] = ToJson(stage, hasLabelImage);
+  }
   if (report.evaluation)
   {
-    json["evaluation"] = ToJson(*report.evaluation);
+    json["evaluation"] = ToJson(*report.evaluation, r.stages);
   }
   json["cleanUp"] = { { "maximumEdgeLength", r.maximumEdgeLength },
                       { "triangleSwaps", r.cleanUp.numberOfSwaps },

@@ -16,16 +16,17 @@ namespace tissue
 namespace
 {
 void
-PrintEvaluation(const StageEvaluation & evaluation, std::ostream & stream)
+PrintEvaluation(const StageEvaluation & evaluation, const std::vector<ReconstructionStage> & stages,
+                std::ostream & stream)
 {
   stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4: " << std::fixed
          << std::setprecision(4);
-  const auto stage = [&stream](const char * name, const AdjacencyOverlap & overlap, const char * end) {
-    stream << name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << end;
-  };
-  stage("Delaunay", evaluation.delaunay, ", ");
-  stage("cleaned", evaluation.cleaned, ", ");
-  stage("optimized", evaluation.optimized, "\n");
+  for (std::size_t i = 0; i < stages.size(); ++i)
+  {
+    const AdjacencyOverlap & overlap = evaluation.stages[i];
+    stream << (i > 0 ? ", " : "") << stages[i].name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4;
+  }
+  stream << '\n';
 }
 
 void
@@ -39,9 +40,10 @@ PrintStages(const TissueReconstruction & r, bool hasLabelImage, std::ostream & s
   }
   stream << "           " << agreement << "  neighbourhood  eccentricity  min. angle  max. angle   seconds\n"
          << std::fixed;
-  const auto row = [&](const char * name, const ReconstructionStage & stage) {
+  for (const ReconstructionStage & stage : r.stages)
+  {
     const ComplexStatistics & s = stage.statistics;
-    stream << std::left << std::setw(11) << name << std::right;
+    stream << std::left << std::setw(11) << stage.name << std::right;
     if (hasLabelImage)
     {
       stream << std::setprecision(4) << std::setw(11) << s.adjacency2 << std::setw(11) << s.adjacency4;
@@ -49,10 +51,7 @@ PrintStages(const TissueReconstruction & r, bool hasLabelImage, std::ostream & s
     stream << std::setprecision(3) << std::setw(15) << s.neighborhoodError << std::setw(14) << s.eccentricity
            << std::setprecision(1) << std::setw(12) << s.minimalDihedralAngle << std::setw(12) << s.maximalDihedralAngle
            << std::setprecision(3) << std::setw(10) << stage.seconds << '\n';
-  };
-  row("Delaunay", r.delaunay);
-  row("cleaned", r.cleaned);
-  row("optimized", r.optimized);
+  }
 }
 
 void
@@ -117,10 +116,6 @@ PrintMesh(const ReconstructionReport & report, std::ostream & stream)
   {
     stream << "Parts of the tissue that share no junction: " << reconstruction.numberOfParts << '\n';
   }
-  if (reconstruction.numberOfVoids > 0)
-  {
-    stream << "Voids enclosed in the tissue: " << reconstruction.numberOfVoids << '\n';
-  }
   stream << "Cells that are closed spheres: "
          << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
          << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';
@@ -134,7 +129,7 @@ Print(const ReconstructionReport & report, const OutputPaths & outputs, std::ost
   PrintStages(report.GetReconstruction(), report.HasLabelImage(), stream);
   if (report.evaluation)
   {
-    PrintEvaluation(*report.evaluation, stream);
+    PrintEvaluation(*report.evaluation, report.GetReconstruction().stages, stream);
   }
   PrintMesh(report, stream);
   PrintRemarks(report, stream);

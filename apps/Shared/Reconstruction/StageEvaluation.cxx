@@ -105,14 +105,14 @@ EvaluateStages(const EvaluationOptions & options, const TissueInput & input,
   std::error_code    isOther;
   const bool         isItself = std::filesystem::equivalent(input.file, options.against, isOther);
   const Counterparts counterparts = FindCounterparts(input.GetJunctionSet().cells, judge, isItself || options.byLabel);
-  const auto         evaluate = [&](const std::vector<VertexQuadruple> & tetrahedra) {
-    return ComputeAdjacencyOverlap(tetrahedra, counterparts.cellOfVertex, judge.GetJunctionSet());
+  StageEvaluation    evaluation{
+    options.against, counterparts.numberOfUnknownCells, counterparts.numberOfMissedCells, {}
   };
-  return StageEvaluation{ options.against,
-                          counterparts.numberOfUnknownCells,
-                          counterparts.numberOfMissedCells,
-                          evaluate(reconstruction.delaunay.tetrahedra),
-                          evaluate(reconstruction.cleaned.tetrahedra),
-                          evaluate(reconstruction.tetrahedra) };
+  for (const ReconstructionStage & stage : reconstruction.stages)
+  {
+    evaluation.stages.push_back(
+      ComputeAdjacencyOverlap(stage.tuples, counterparts.cellOfVertex, judge.GetJunctionSet()));
+  }
+  return evaluation;
 }
 } // namespace tissue

@@ -33,11 +33,10 @@ struct StageEvaluation
 {
   std::string against;
   /** Cells of the tissue, and of the judge, that have no counterpart. */
-  std::size_t      numberOfUnknownCells = 0;
-  std::size_t      numberOfMissedCells = 0;
-  AdjacencyOverlap delaunay;
-  AdjacencyOverlap cleaned;
-  AdjacencyOverlap optimized;
+  std::size_t numberOfUnknownCells = 0;
+  std::size_t numberOfMissedCells = 0;
+  /** In the order of the reconstruction's stages. */
+  std::vector<AdjacencyOverlap> stages;
 };
 
 /** Nothing unless a label image is to judge. The stages must be kept (ReconstructionParameters::keepStages).

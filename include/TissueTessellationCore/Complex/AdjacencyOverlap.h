@@ -14,7 +14,6 @@
 
 namespace tissue
 {
-class AdjacencyComplex;
 class ReferenceAdjacency;
 struct JunctionSet;
 
@@ -27,6 +26,21 @@ struct AdjacencyOverlap
   double adjacency4 = 0.0;
 };
 
+/** \brief What cells a complex says to touch: pairs and quadruples, each once, their vertices ascending, and all in
+ * ascending order. */
+struct AdjacencyTuples
+{
+  std::vector<VertexPair>      pairs;
+  std::vector<VertexQuadruple> quadruples;
+
+  /** Of tetrahedra, in any order, which may repeat each other, and walls beside theirs. */
+  static AdjacencyTuples
+  Of(std::vector<VertexQuadruple> tetrahedra, std::vector<VertexPair> walls = {});
+
+  bool
+  HasPair(VertexId u, VertexId v) const;
+};
+
 /** Returns |A & B| / |A | B| from the sizes of A & B, A and B; 0 where both sets are empty. */
 inline double
 Jaccard(std::size_t common, std::size_t first, std::size_t second)
@@ -37,13 +51,12 @@ Jaccard(std::size_t common, std::size_t first, std::size_t second)
 
 /** Compares a complex with a reference that has the same vertices. */
 AdjacencyOverlap
-ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference);
+ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const ReferenceAdjacency & reference);
 
-/** Compares tetrahedra over vertices of their own with the junctions of an image: their vertex v is ids[v] in the
- * image, or is not there where that is negative. */
+/** Compares a complex over vertices of its own with the junctions of an image: its vertex v is ids[v] in the image, or
+ * not known there where that is negative. Tuples with unknown vertices count as wrong. */
 AdjacencyOverlap
-ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
-                        const JunctionSet & image);
+ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const std::vector<VertexId> & ids, const JunctionSet & image);
 } // namespace tissue
 
 #endif

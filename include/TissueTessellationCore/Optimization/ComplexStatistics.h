@@ -14,7 +14,7 @@
 
 namespace tissue
 {
-class AdjacencyComplex;
+struct AdjacencyTuples;
 class ReferenceAdjacency;
 
 /** \brief The columns of the paper's Tables 1 and 2 (section 4.1), and counts, of one stage of the complex. */
@@ -33,7 +33,7 @@ struct ComplexStatistics
   double minimalDihedralAngle = 0.0;
   double maximalDihedralAngle = 0.0;
 
-  /** The numbers of all tetrahedra and of all edges, those with the exterior included. */
+  /** The numbers of all tetrahedra and of all pairs of neighbours, those with the exterior included. */
   std::size_t numberOfTetrahedra = 0;
   std::size_t numberOfEdges = 0;
   /** The number of tetrahedra of four cells, without the exterior. */
@@ -44,11 +44,12 @@ struct ComplexStatistics
   std::size_t numberOfEpidermalCells = 0;
 };
 
-/** Computes the statistics of a complex. `reference` may be null. The ideal numbers of neighbours are those of the
- * parameters. */
+/** Computes the statistics of a complex by its tetrahedra, positively oriented and each with the exterior first where it
+ * has it, and its tuples. `reference` may be null. The ideal numbers of neighbours are those of the parameters. */
 ComplexStatistics
-ComputeStatistics(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                  const ReferenceAdjacency * reference, const EnergyParameters & parameters);
+ComputeStatistics(const std::vector<VertexQuadruple> & tetrahedra, const AdjacencyTuples & tuples,
+                  const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+                  const EnergyParameters & parameters);
 } // namespace tissue
 
 #endif

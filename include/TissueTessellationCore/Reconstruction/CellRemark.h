@@ -14,7 +14,7 @@
 
 namespace tissue
 {
-class AdjacencyComplex;
+struct AdjacencyTuples;
 struct JunctionSet;
 
 /** What a user should know of one cell: what the image, not the method, made special or impossible. */
@@ -24,20 +24,23 @@ enum class Remark
   SeveralPieces,
   /** The border of the image may cut the cell. */
   CutByBorder,
-  /** The cell has one neighbour in the image: it is enclosed in it. It has false walls in the mesh, as every cell of an
-   * adjacency complex has at least four neighbours. Value: the neighbour's label. */
+  /** The cell has one neighbour in the image: it is enclosed in it. Value: the neighbour's label. */
   Enclosed,
   /** The cell touches no other cell in the image, only the exterior. */
   Separated,
   /** The cell's part of the tissue touches no other and is too small for a complex of its own; false walls join it to
    * the nearest part. */
   StrayPart,
-  /** The cell has two or more separate walls to one other cell or to the exterior in the image, of which an adjacency
-   * complex can have one. Value: the number of such neighbours. */
-  SeparateWalls,
-  /** The cell meets the same neighbours and the exterior on two sides in the image, as in a sheet of one layer; the
-   * mesh has one of them. Value: the number of its junctions with the exterior that are at several places. */
-  ExteriorOnTwoSides,
+  /** A piece of the cell apart from its largest one has a closed surface of its own in the mesh. Value: its voxels. */
+  Fragment,
+  /** A piece of the cell is too small for a surface of its own. Value: its voxels. */
+  FragmentDropped,
+  /** The cell has walls that are rings, or have no corner, and was taken for several pieces while the complex was made;
+   * the mesh has these walls as the image has them. Value: the number of pieces. */
+  RingWalls,
+  /** The cell's walls were joined or cut by a false wall so that its surface is one sphere. Value: the number of such
+   * repairs. */
+  Repaired,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */
@@ -85,7 +88,7 @@ DescribeSeveral(Remark remark);
 
 /** All remarks that follow from the image and the final complex, ascending by cell, then by kind. */
 std::vector<CellRemark>
-CollectRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions);
+CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions);
 } // namespace tissue
 
 #endif

@@ -12,18 +12,33 @@
 
 namespace tissue
 {
+/** Where the adjacency complex comes from. */
+enum class ComplexSource
+{
+  /** The label image: its corners are the tetrahedra, with every wall as often as the image has it. */
+  Image,
+  /** The centres of the cells, by their Delaunay tetrahedralization (paper, section 3): a simplicial complex. */
+  Centers
+};
+
+/** What is right before all else where the image's walls and junctions cannot all be: an image asks for junctions of
+ * cells that do not all touch. */
+enum class AdjacencyPreference
+{
+  Junctions,
+  Walls
+};
+
 /** \brief All that can be chosen between a JunctionSet and its wall mesh. A default-constructed object is the preset
  * for label images, PaperPreset() the paper's method to the letter; there is one of either kind for points. */
 struct ReconstructionParameters
 {
+  ComplexSource       source = ComplexSource::Image;
+  AdjacencyPreference preference = AdjacencyPreference::Walls;
+
   /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
    */
   bool separateParts = true;
-  /** Whether the voids enclosed in the tissue are vertices of their own (JunctionSet::voids); else they are the
-   * exterior.
-   */
-  bool separateVoids = true;
-
   /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
    */
   double maximumEdgeLength = 0.0;

@@ -28,12 +28,6 @@ constexpr double ShareOfLine = 0.02;
 /** The same for corners at one place. */
 constexpr double ShareOfCorner = 0.05;
 
-bool
-AreDifferent(const VertexQuadruple & cells)
-{
-  return LocalIndex(cells, cells[1]) == 1 && LocalIndex(cells, cells[2]) == 2 && LocalIndex(cells, cells[3]) == 3;
-}
-
 VertexQuadruple
 CellsOf(const VertexQuadruple & vertices, const std::vector<VertexId> & cellOf)
 {

@@ -232,6 +232,13 @@ LocalIndex(const VertexQuadruple & vertices, VertexId v)
   return -1;
 }
 
+inline bool
+AreDifferent(const VertexQuadruple & vertices)
+{
+  return LocalIndex(vertices, vertices[1]) == 1 && LocalIndex(vertices, vertices[2]) == 2 &&
+         LocalIndex(vertices, vertices[3]) == 3;
+}
+
 /** The other two local vertices k, l of a tetrahedron, such that (i, j, k, l) is an even permutation of 0 ... 3. */
 std::array<int, 2>
 EvenComplement(int i, int j);

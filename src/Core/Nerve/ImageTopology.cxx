@@ -54,7 +54,12 @@ TakeDivision(LabelDivision division, ImageTopology & topology, const Execution &
     }
   }
   topology.nerve.complex.SetOutside(std::move(outside));
-  topology.realOf = std::move(division.realOf);
+  for (VertexId & v : division.realOf)
+  {
+    v = topology.cellOf[v];
+  }
+  topology.cellOf = std::move(division.realOf);
+  topology.volume = std::move(division.volume);
   topology.divided = std::move(division.cells);
 }
 
@@ -64,7 +69,7 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
           ImageTopology & topology, const Execution & execution)
 {
   topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
-  LabelVolume         copy;
+  LabelVolume &       copy = topology.volume;
   const LabelVolume * image = &volume;
   if (!topology.fragments.fragments.empty())
   {
@@ -81,8 +86,15 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     blocks = FindCrowdedBlocks(*image, execution);
   }
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
-  topology.realOf.resize(static_cast<std::size_t>(topology.fragments.numberOfVertices));
-  std::iota(topology.realOf.begin(), topology.realOf.end(), ExteriorVertex);
+  topology.cellOf.resize(static_cast<std::size_t>(topology.fragments.numberOfVertices));
+  std::iota(topology.cellOf.begin(), topology.cellOf.end(), ExteriorVertex);
+  for (const Fragment & fragment : topology.fragments.fragments)
+  {
+    if (fragment.isLarge)
+    {
+      topology.cellOf[fragment.vertex] = fragment.cell;
+    }
+  }
   execution.Report(0.6);
   LabelDivision division = DivideLabels(*image,
                                         topology.fragments.numberOfVertices,
@@ -119,10 +131,14 @@ FindWallsWithoutCorners(const TissuePlaces & places)
 
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
-                  const Execution & execution)
+                  const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
   ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
+  if (visit)
+  {
+    visit(topology);
+  }
   topology.repairs = Repair(topology.nerve, topology.places);
   topology.descent =
     Descend(topology.nerve.complex, topology.places, parameters.preferences, execution.Part(0.75, 1.0));

@@ -13,6 +13,8 @@
 #include "Nerve/NerveRepair.h"
 #include "Nerve/PlaceDescent.h"
 
+#include <functional>
+
 namespace tissue
 {
 struct ImageTopologyParameters
@@ -32,8 +34,10 @@ struct ImageTopology
    * vertices of their own. */
   TissuePlaces places;
   Fragments    fragments;
+  /** The image by the vertices of the complex; without voxels where it is the image itself. */
+  LabelVolume volume;
   /** Of each vertex of the complex the one of the image that it is a piece of: a cell, or the exterior. */
-  std::vector<VertexId> realOf;
+  std::vector<VertexId> cellOf;
   /** What was divided so that walls without corners are in the complex, and walls that are no disks. */
   std::vector<DividedCell>       divided;
   std::vector<NerveRepairRecord> repairs;
@@ -45,12 +49,16 @@ struct ImageTopology
   std::vector<VertexId> unsoundCells;
 };
 
+/** Called with the nerve before the repair. */
+using NerveVisitor = std::function<void(const ImageTopology &)>;
+
 /** Nerve, division, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The
  * volume is as it was in the end; it is copied where cells have fragments. */
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
                   const ImageTopologyParameters & parameters = ImageTopologyParameters(),
-                  const Execution &               execution = Execution());
+                  const Execution &               execution = Execution(),
+                  const NerveVisitor &            visit = NerveVisitor());
 
 /** The walls of a pair of cells that are among the cells of no corner place. */
 std::vector<ImageWall>

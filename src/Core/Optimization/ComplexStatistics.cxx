@@ -57,20 +57,21 @@ MeasureShape(const std::array<Point, 4> & p)
 } // namespace
 
 ComplexStatistics
-ComputeStatistics(const AdjacencyComplex & complex, const std::vector<Point> & centers,
-                  const ReferenceAdjacency * reference, const EnergyParameters & parameters)
+ComputeStatistics(const std::vector<VertexQuadruple> & tetrahedra, const AdjacencyTuples & tuples,
+                  const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+                  const EnergyParameters & parameters)
 {
   ComplexStatistics statistics;
-  statistics.numberOfTetrahedra = complex.NumberOfTetrahedra();
-  statistics.numberOfEdges = complex.NumberOfEdges();
+  statistics.numberOfTetrahedra = tetrahedra.size();
+  statistics.numberOfEdges = tuples.pairs.size();
   if (reference)
   {
-    const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(complex, *reference);
+    const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(tuples, *reference);
     statistics.adjacency2 = overlap.adjacency2;
     statistics.adjacency4 = overlap.adjacency4;
   }
   // Shapes are summed over the tetrahedra of cells and made means, and so are the deviations over the cells.
-  for (const VertexQuadruple & t : complex.GetTetrahedra())
+  for (const VertexQuadruple & t : tetrahedra)
   {
     if (t[0] == ExteriorVertex)
     {
@@ -93,15 +94,21 @@ ComputeStatistics(const AdjacencyComplex & complex, const std::vector<Point> & c
     statistics.minimalDihedralAngle /= n;
     statistics.maximalDihedralAngle /= n;
   }
-  for (VertexId v = ExteriorVertex + 1; v < complex.NumberOfVertices(); ++v)
+  std::vector<int> numbersOfNeighbors(centers.size(), 0);
+  for (const VertexPair & pair : tuples.pairs)
   {
-    const bool   touches = complex.FindEdge(ExteriorVertex, v) != nullptr;
+    ++numbersOfNeighbors[pair[0]];
+    ++numbersOfNeighbors[pair[1]];
+  }
+  for (VertexId v = ExteriorVertex + 1; v < static_cast<VertexId>(centers.size()); ++v)
+  {
+    const bool   touches = tuples.HasPair(ExteriorVertex, v);
     const double ideal = touches ? parameters.epidermalNeighbors + 1.0 : parameters.innerNeighbors;
-    const double deviation = (complex.NumberOfNeighbors(v) - ideal) / ideal;
+    const double deviation = (numbersOfNeighbors[v] - ideal) / ideal;
     statistics.neighborhoodError += deviation * deviation;
     statistics.numberOfEpidermalCells += touches ? 1 : 0;
   }
-  statistics.neighborhoodError /= std::max(1.0, static_cast<double>(complex.NumberOfVertices() - 1));
+  statistics.neighborhoodError /= std::max(1.0, static_cast<double>(centers.size() - 1));
   return statistics;
 }
 } // namespace tissue

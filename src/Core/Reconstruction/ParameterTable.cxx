@@ -58,6 +58,16 @@ Add(const std::string & name, const std::string & words, const decltype(Paramete
 }
 
 void
+AddComplex(std::vector<Parameter> & table)
+{
+  Add("prefer",
+      "What is right before all else: which cells touch, or which four meet",
+      MakeEnumeration<&P::preference>({ { "junctions", static_cast<int>(AdjacencyPreference::Junctions) },
+                                        { "walls", static_cast<int>(AdjacencyPreference::Walls) } }),
+      table);
+}
+
+void
 AddCleanUp(std::vector<Parameter> & table)
 {
   Add("maximumEdgeLength",
@@ -75,10 +85,6 @@ AddCleanUp(std::vector<Parameter> & table)
   Add("separateParts",
       "Whether parts that share no junction are apart (true or false)",
       BooleanParameter{ At<&P::separateParts> },
-      table);
-  Add("separateVoids",
-      "Whether enclosed voids are apart from the exterior (true or false)",
-      BooleanParameter{ At<&P::separateVoids> },
       table);
   Add("guidedCleanUp",
       "Whether the image guides the clean-up (true or false)",
@@ -173,6 +179,11 @@ AddWalls(std::vector<Parameter> & table)
 void
 AddFixed(std::vector<Parameter> & table)
 {
+  Add("complex",
+      "Where the adjacency complex comes from",
+      MakeEnumeration<&P::source>({ { "centers", static_cast<int>(ComplexSource::Centers) },
+                                    { "image", static_cast<int>(ComplexSource::Image) } }),
+      table);
   Add("pairWeight",
       "Weight of the image term for pairs of cells",
       RealParameter{ At<&P::energy, &Energy::pairWeight>, Weight },
@@ -277,6 +288,7 @@ MakeTable()
     add(table);
     std::for_each(table.begin() + first, table.end(), [use](Parameter & parameter) { parameter.use = use; });
   };
+  addGroup(ParameterUse::Option, AddComplex);
   addGroup(ParameterUse::Option, AddCleanUp);
   addGroup(ParameterUse::Option, AddAnnealing);
   addGroup(ParameterUse::Option, AddEnergy);

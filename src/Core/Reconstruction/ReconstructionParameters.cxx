@@ -28,6 +28,7 @@ ReconstructionParameters
 ReconstructionParameters::PointsPreset()
 {
   ReconstructionParameters parameters;
+  parameters.source = ComplexSource::Centers;
   parameters.energy.neighborWeight = 0.02;
   parameters.energy.delaunayWeight = 30.0;
   return parameters;
@@ -38,7 +39,7 @@ ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
   parameters.separateParts = false;
-  parameters.separateVoids = false;
+  parameters.source = ComplexSource::Centers;
   parameters.maximumEdgeLengthFactor = 1.4;
   parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();

@@ -7,32 +7,26 @@
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
 #include "Adjacency/ReferenceAdjacency.h"
-#include "Adjacency/TissueParts.h"
-#include "Complex/DelaunayTetrahedralization.h"
-#include "Complex/LocalSpacing.h"
-#include "Dual/CellCorners.h"
-#include "Dual/DualMesh.h"
+#include "Fitting/WallFitting.h"
 #include "Geometry/SpatialOrder.h"
-#include "Optimization/TopologyOptimizer.h"
-#include "Reconstruction/VoidMerging.h"
+#include "Reconstruction/TissueComplex.h"
 #include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 namespace tissue
 {
 namespace
 {
-/** Shares of the whole, for the progress. */
-constexpr double DelaunayShare = 0.05;
-constexpr double OptimizationShare = 0.15;
+/** The complex's share of the whole, for the progress. */
+constexpr double ComplexShare = 0.2;
 
 /** Cell centres, with those that repeat an earlier one moved aside along the axes in turn. */
 std::vector<Point>
@@ -54,7 +48,7 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
         center = cell.center;
         center[i % 3] += step * (i / 3 + 1);
       }
-      if (center != cell.center && !junctions.IsVoid(v))
+      if (center != cell.center)
       {
         remarks.push_back({ v, Remark::CenterMoved, Distance(center, cell.center) });
       }
@@ -64,152 +58,35 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
   return centers;
 }
 
-/** What the pipeline works on, by the vertices of the image. */
-struct Tissue
-{
-  /** Those of the image, with the voids merged that are not to be vertices. */
-  JunctionSet        junctions;
-  std::vector<Point> centers;
-  TissueParts        parts;
-  /** The vertices in spatial order, and the rank of each in it. Complex and walls are worked on in this order: on large
-   * tissues much of the time would else go to fetching what lies far apart. */
-  std::vector<VertexId> order;
-  std::vector<VertexId> ranks;
-};
-
-/** The door: decides on voids and parts, and orders the vertices. */
-Tissue
-EnterTissue(const JunctionSet & image, const ReconstructionParameters & parameters, std::vector<CellRemark> & remarks)
-{
-  Tissue tissue;
-  tissue.junctions = parameters.separateVoids ? image : MergeVoids(image);
-  tissue.centers = SeparateCenters(tissue.junctions, remarks);
-  tissue.parts =
-    parameters.separateParts ? FindTissueParts(tissue.junctions, tissue.centers) : JoinTissueParts(tissue.junctions);
-  for (const VertexId cell : tissue.parts.strayCells)
-  {
-    remarks.push_back({ cell, Remark::StrayPart, 0.0 });
-  }
-  if (tissue.parts.parts.size() > 1 && !tissue.junctions.voids.empty())
-  {
-    const auto partOfVertex = tissue.parts.PartOfVertex(tissue.junctions.NumberOfVertices());
-    tissue.junctions = MergeVoidsOfOtherParts(tissue.junctions, partOfVertex);
-  }
-  tissue.order = SpatialOrder(tissue.centers);
-  tissue.ranks = RanksInOrder(tissue.order);
-  return tissue;
-}
-
-/** The tetrahedra over vertices by other ids: ids[v] for v. */
-std::vector<VertexQuadruple>
-Renumbered(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids)
-{
-  for (VertexQuadruple & tetrahedron : tetrahedra)
-  {
-    for (VertexId & v : tetrahedron)
-    {
-      v = ids[v];
-    }
-    tetrahedron = Canonical(tetrahedron);
-  }
-  std::sort(tetrahedra.begin(), tetrahedra.end());
-  return tetrahedra;
-}
-
-/** The Delaunay tetrahedralization of each part of the tissue, closed by the exterior. */
-std::vector<VertexQuadruple>
-TetrahedralizeParts(const Tissue & tissue)
-{
-  std::vector<VertexQuadruple> tetrahedra;
-  for (const std::vector<VertexId> & part : tissue.parts.parts)
-  {
-    std::vector<VertexId> vertices{ ExteriorVertex };
-    vertices.insert(vertices.end(), part.begin(), part.end());
-    std::vector<Point> points;
-    for (const VertexId v : vertices)
-    {
-      points.push_back(tissue.centers[v]);
-    }
-    const auto ofPart = Renumbered(DelaunayTetrahedralization(points), vertices);
-    tetrahedra.insert(tetrahedra.end(), ofPart.begin(), ofPart.end());
-  }
-  return tetrahedra;
-}
-
-/** How the Delaunay complex is to be cleaned. */
-SurfaceCleanUpParameters
-MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & parameters,
-            const AdjacencyComplex & complex, const std::vector<Point> & centers)
-{
-  SurfaceCleanUpParameters cleanUp;
-  cleanUp.guidedByReference = parameters.guidedCleanUp;
-  cleanUp.maximumEdgeLength = parameters.maximumEdgeLength;
-  if (!(parameters.maximumEdgeLength > 0.0))
-  {
-    const double median = parameters.localMaximumEdgeLength ? 0.0 : MedianNeighborDistance(junctions);
-    cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * (median > 0.0 ? median : 1.0);
-    cleanUp.localLengths = median > 0.0 ? std::vector<double>() : LocalSpacings(complex, centers);
-  }
-  return cleanUp;
-}
-
-/** The complex through its stages, which `result` learns of. The vertices are renumbered by their ranks on the way in,
- * and back on the way out. */
-AdjacencyComplex
-ReconstructComplex(const Tissue & tissue, const ReconstructionParameters & parameters, TissueReconstruction & result,
-                   const Execution & execution)
-{
-  Stopwatch          stopwatch;
-  std::vector<Point> centers;
-  for (const VertexId v : tissue.order)
-  {
-    centers.push_back(tissue.centers[v]);
-  }
-  const ReferenceAdjacency reference = ReferenceAdjacency(tissue.junctions).Renumbered(tissue.ranks);
-  // The statistics of a stage do not count for the time of the next one.
-  const auto finishStage = [&](const AdjacencyComplex & complex) {
-    ReconstructionStage stage;
-    stage.seconds = stopwatch.Lap().wallSeconds;
-    stage.statistics = ComputeStatistics(complex, centers, &reference, parameters.energy);
-    if (parameters.keepStages)
-    {
-      stage.tetrahedra = MergeVoids(Renumbered(complex.GetTetrahedra(), tissue.order), tissue.junctions);
-    }
-    stopwatch.Lap();
-    return stage;
-  };
-
-  const auto       numberOfVertices = static_cast<VertexId>(centers.size());
-  AdjacencyComplex complex(numberOfVertices, Renumbered(TetrahedralizeParts(tissue), tissue.ranks));
-  result.delaunay = finishStage(complex);
-  execution.Report(DelaunayShare);
-
-  const SurfaceCleanUpParameters cleanUp = MakeCleanUp(tissue.junctions, parameters, complex, centers);
-  result.maximumEdgeLength =
-    cleanUp.maximumEdgeLength * (cleanUp.localLengths.empty() ? 1.0 : MedianSpacing(cleanUp.localLengths));
-  result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
-  result.cleaned = finishStage(complex);
-
-  TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
-  result.cycles = optimizer.Run(execution.Part(DelaunayShare, DelaunayShare + OptimizationShare));
-  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
-  result.energy = optimizer.Energy();
-  result.optimized = finishStage(complex);
-  return AdjacencyComplex(numberOfVertices, Renumbered(complex.GetTetrahedra(), tissue.order));
-}
-
-/** The dual of the complex as stars, split and smoothed: the walls without an image. */
+/** The dual as stars, split and smoothed: the walls without an image. */
 WallMesh
-MakeStarWalls(const AdjacencyComplex & complex, const JunctionSet & junctions,
-              const ReconstructionParameters & parameters)
+MakeStarWalls(const DualMesh & dual, const ReconstructionParameters & parameters)
 {
-  WallMesh walls = TriangulateAsStars(Dualize(complex, ComputeCorners(complex, junctions, parameters.corners)));
+  WallMesh walls = TriangulateAsStars(dual);
   for (int level = 0; level < parameters.refinement; ++level)
   {
     SplitTriangles(walls);
   }
   SmoothWalls(walls, parameters.smoothingIterations);
   return walls;
+}
+
+WallMesh
+MakeFittedWalls(TissueComplex complex, const TissueCells & cells, const LabelVolume & volume,
+                const ReconstructionParameters & parameters, WallFittingStatistics & statistics,
+                const Execution & execution)
+{
+  std::vector<double> volumes;
+  for (const Cell & cell : cells.junctions.cells)
+  {
+    volumes.push_back(cell.volume);
+  }
+  const LabelVolume & vertices = complex.volume.vertices.empty() ? volume : complex.volume;
+  return FitWalls(std::move(complex.dual),
+                  { volume, vertices, complex.cellOf, volumes, cells.ranks },
+                  parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0,
+                  &statistics,
+                  execution);
 }
 
 /** Names the cells whose volume is far from that in the image. */
@@ -249,14 +126,13 @@ RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size
 }
 
 /** All remarks on the result, by cell; of each cell first those that follow from image and complex, then those of the
- * `door`, then those on the walls. */
+ * way to the complex, then those on the walls. */
 std::vector<CellRemark>
-GatherRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions, const TissueReconstruction & result,
-              const std::vector<CellRemark> & door)
+GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, const TissueReconstruction & result)
 {
   const bool              hasWalls = !junctions.walls.empty();
-  std::vector<CellRemark> remarks = hasWalls ? CollectRemarks(complex, junctions) : std::vector<CellRemark>();
-  remarks.insert(remarks.end(), door.begin(), door.end());
+  std::vector<CellRemark> remarks = hasWalls ? CollectRemarks(tuples, junctions) : std::vector<CellRemark>();
+  remarks.insert(remarks.end(), result.remarks.begin(), result.remarks.end());
   if (hasWalls)
   {
     RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
@@ -268,42 +144,56 @@ GatherRemarks(const AdjacencyComplex & complex, const JunctionSet & junctions, c
 }
 } // namespace
 
+ReconstructionStage
+MakeStage(const std::string & name, double seconds, const std::vector<VertexQuadruple> & tetrahedra,
+          const AdjacencyTuples & tuples, const TissueCells & cells, const ReconstructionParameters & parameters)
+{
+  const ReferenceAdjacency reference(cells.junctions);
+  ReconstructionStage      stage;
+  stage.name = name;
+  stage.seconds = seconds;
+  stage.statistics = ComputeStatistics(tetrahedra, tuples, cells.centers, &reference, parameters.energy);
+  if (parameters.keepStages)
+  {
+    stage.tuples = tuples;
+  }
+  return stage;
+}
+
 TissueReconstruction
 ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & parameters, const LabelVolume * volume,
                   const Execution & execution)
 {
   parameters.Check();
-  TissueReconstruction    result;
-  std::vector<CellRemark> remarks;
-  const Tissue            tissue = EnterTissue(image, parameters, remarks);
-  result.numberOfVoids = tissue.junctions.voids.size();
-  result.numberOfParts = tissue.parts.parts.size();
-  const AdjacencyComplex complex = ReconstructComplex(tissue, parameters, result, execution);
-
-  Stopwatch stopwatch;
-  result.isFitted = volume != nullptr && parameters.fitToImage;
-  if (result.isFitted)
+  if (parameters.source == ComplexSource::Image && volume == nullptr)
   {
-    const bool        isMerged = tissue.junctions.voids.size() < image.voids.size();
-    const LabelVolume merged = isMerged ? MergeVoids(*volume, image.cells.size()) : LabelVolume();
-    result.walls = FitWalls(complex,
-                            tissue.junctions,
-                            isMerged ? merged : *volume,
-                            tissue.ranks,
-                            parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0,
-                            &result.fitting,
-                            execution.Part(DelaunayShare + OptimizationShare, 1.0));
+    throw std::invalid_argument("ReconstructTissue: a complex from the image needs the label volume");
   }
-  else
-  {
-    result.walls = MakeStarWalls(complex, tissue.junctions, parameters);
-  }
+  TissueReconstruction        result;
+  const JunctionSet           junctions = MergeVoids(image);
+  const std::vector<Point>    centers = SeparateCenters(junctions, result.remarks);
+  const std::vector<VertexId> order = SpatialOrder(centers);
+  const std::vector<VertexId> ranks = RanksInOrder(order);
+  const TissueCells           cells{ junctions, centers, order, ranks };
+  const bool                  hasVoids = volume != nullptr && !image.voids.empty();
+  const LabelVolume           merged = hasVoids ? MergeVoids(*volume, image.cells.size()) : LabelVolume();
+  const LabelVolume * const   labels = hasVoids ? &merged : volume;
+  const Execution             first = execution.Part(0.0, ComplexShare);
+  TissueComplex               complex = parameters.source == ComplexSource::Image
+                                          ? TakeComplexFromImage(cells, *labels, parameters, result, first)
+                                          : MakeComplexFromCenters(cells, parameters, result, first);
 
-  // The exit: voids are the exterior from here on.
-  result.tetrahedra = MergeVoids(complex.GetTetrahedra(), tissue.junctions);
-  MergeVoids(result.walls, tissue.junctions);
-
-  result.remarks = GatherRemarks(complex, tissue.junctions, result, remarks);
+  Stopwatch             stopwatch;
+  const AdjacencyTuples tuples = complex.tuples;
+  result.isFitted = labels != nullptr && parameters.fitToImage;
+  result.walls = result.isFitted ? MakeFittedWalls(std::move(complex),
+                                                   cells,
+                                                   *labels,
+                                                   parameters,
+                                                   result.fitting,
+                                                   execution.Part(ComplexShare, 1.0))
+                                 : MakeStarWalls(complex.dual.mesh, parameters);
+  result.remarks = GatherRemarks(tuples, junctions, result);
   result.dualSeconds = stopwatch.Lap().wallSeconds;
   execution.Report(1.0);
   return result;
