@@ -14,30 +14,66 @@
 
 namespace tissue
 {
+namespace
+{
+template <typename TTuple, typename TTest>
+std::size_t
+CountIf(const std::vector<TTuple> & tuples, const TTest & test)
+{
+  return static_cast<std::size_t>(std::count_if(tuples.begin(), tuples.end(), test));
+}
+} // namespace
+
+AdjacencyOverlap
+ComputeAdjacencyOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQuadruple> & quadruples,
+                        const std::vector<VertexQuadruple> & quadruplesOfNeighbors,
+                        const ReferenceAdjacency &           reference)
+{
+  const auto isKnown = [&](const auto & tuple) {
+    return std::all_of(tuple.begin(), tuple.end(), [&](VertexId v) { return v < reference.NumberOfVertices(); });
+  };
+  const std::size_t commonPairs =
+    CountIf(pairs, [&](const VertexPair & pair) { return isKnown(pair) && reference.HasPair(pair[0], pair[1]); });
+  const auto isCommon = [&](const VertexQuadruple & q) { return isKnown(q) && reference.HasQuadruple(q); };
+  const auto areNeighbors = [&](const VertexQuadruple & q) { return reference.AreNeighbors(q); };
+
+  AdjacencyOverlap overlap;
+  overlap.adjacency2 = Jaccard(commonPairs, pairs.size(), reference.NumberOfPairs());
+  overlap.adjacency4 = Jaccard(CountIf(quadruples, isCommon), quadruples.size(), reference.NumberOfQuadruples());
+  overlap.adjacency4OfNeighbors =
+    Jaccard(CountIf(quadruplesOfNeighbors, [&](const VertexQuadruple & q) { return isCommon(q) && areNeighbors(q); }),
+            quadruplesOfNeighbors.size(),
+            CountIf(reference.GetQuadruples(), areNeighbors));
+  overlap.numberOfFalsePairs = pairs.size() - commonPairs;
+  overlap.numberOfMissingPairs = reference.NumberOfPairs() - commonPairs;
+  return overlap;
+}
+
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
 {
-  const auto edges = complex.GetEdges();
-  const auto tetrahedra = complex.GetTetrahedra();
-  const auto commonPairs = std::count_if(edges.begin(), edges.end(), [&](const AdjacencyComplex::Edge & edge) {
-    return reference.HasPair(edge.vertices[0], edge.vertices[1]);
-  });
-  const auto commonQuadruples = std::count_if(
-    tetrahedra.begin(), tetrahedra.end(), [&](const VertexQuadruple & t) { return reference.HasQuadruple(t); });
-  return { Jaccard(static_cast<std::size_t>(commonPairs), edges.size(), reference.NumberOfPairs()),
-           Jaccard(static_cast<std::size_t>(commonQuadruples), tetrahedra.size(), reference.NumberOfQuadruples()) };
+  std::vector<VertexPair> edges;
+  for (const AdjacencyComplex::Edge & edge : complex.GetEdges())
+  {
+    edges.push_back(edge.vertices);
+  }
+  const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
+  return ComputeAdjacencyOverlap(edges, tetrahedra, tetrahedra, reference);
 }
 
 AdjacencyOverlap
 ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> & ids,
                         const JunctionSet & image)
 {
-  // Edges and tetrahedra become sets of ascending tuples, so that each counts once; then those are counted that are in
-  // the image by their vertices' ids there.
+  // A vertex that is not in the image gets an id above those of the image.
   const ReferenceAdjacency reference(image);
   std::vector<VertexPair>  edges;
   for (VertexQuadruple & t : tetrahedra)
   {
+    for (VertexId & v : t)
+    {
+      v = ids[v] >= 0 ? ids[v] : reference.NumberOfVertices() + v;
+    }
     std::sort(t.begin(), t.end());
     for (int i = 0; i < 4; ++i)
     {
@@ -49,15 +85,6 @@ ComputeAdjacencyOverlap(std::vector<VertexQuadruple> tetrahedra, const std::vect
   }
   SortUnique(tetrahedra);
   SortUnique(edges);
-  const auto isKnown = [&ids](VertexId v) { return ids[v] >= 0; };
-  const auto commonPairs = std::count_if(edges.begin(), edges.end(), [&](const VertexPair & e) {
-    return std::all_of(e.begin(), e.end(), isKnown) && reference.HasPair(ids[e[0]], ids[e[1]]);
-  });
-  const auto commonQuadruples = std::count_if(tetrahedra.begin(), tetrahedra.end(), [&](const VertexQuadruple & t) {
-    return std::all_of(t.begin(), t.end(), isKnown) &&
-           reference.HasQuadruple({ { ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]] } });
-  });
-  return { Jaccard(static_cast<std::size_t>(commonPairs), edges.size(), reference.NumberOfPairs()),
-           Jaccard(static_cast<std::size_t>(commonQuadruples), tetrahedra.size(), reference.NumberOfQuadruples()) };
+  return ComputeAdjacencyOverlap(edges, tetrahedra, tetrahedra, reference);
 }
 } // namespace tissue
