@@ -88,7 +88,11 @@ Json
 ToJson(const StageEvaluation & evaluation)
 {
   const auto toJson = [](const AdjacencyOverlap & overlap) {
-    return Json{ { "adjacency2", overlap.adjacency2 }, { "adjacency4", overlap.adjacency4 } };
+    return Json{ { "adjacency2", overlap.adjacency2 },
+                 { "adjacency4", overlap.adjacency4 },
+                 { "adjacency4OfNeighbors", overlap.adjacency4OfNeighbors },
+                 { "falsePairs", overlap.numberOfFalsePairs },
+                 { "missingPairs", overlap.numberOfMissingPairs } };
   };
   return { { "against", evaluation.against },
            { "cellsWithoutCounterpart", evaluation.numberOfUnknownCells },

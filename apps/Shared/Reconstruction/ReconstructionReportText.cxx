@@ -18,10 +18,11 @@ namespace
 void
 PrintEvaluation(const StageEvaluation & evaluation, std::ostream & stream)
 {
-  stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4: " << std::fixed
+  stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4 / of neighbours alone: " << std::fixed
          << std::setprecision(4);
   const auto stage = [&stream](const char * name, const AdjacencyOverlap & overlap, const char * end) {
-    stream << name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << end;
+    stream << name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << " / " << overlap.adjacency4OfNeighbors
+           << end;
   };
   stage("Delaunay", evaluation.delaunay, ", ");
   stage("cleaned", evaluation.cleaned, ", ");
@@ -121,7 +122,7 @@ PrintMesh(const ReconstructionReport & report, std::ostream & stream)
   {
     stream << "Voids enclosed in the tissue: " << reconstruction.numberOfVoids << '\n';
   }
-  stream << "Cells that are closed spheres: "
+  stream << "Cells whose surfaces are closed spheres: "
          << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
          << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';
 }
