@@ -27,7 +27,7 @@ class CellWallMeshEvaluationCalculatorTest(unittest.TestCase):
             self.assertEqual(figures.GetNumberOfCrowdedCorners(), 0)
             self.assertGreater(figures.GetAdjacency2(), 0.9)
             self.assertGreater(figures.GetAdjacency4(), 0.8)
-            self.assertGreater(figures.GetAdjacency4OfNeighbors(), 0.8)
+            self.assertTrue(0 < figures.GetAdjacency4OfNeighbors() <= 1)
             self.assertEqual(figures.GetNumberOfCellsOfSpheres(), 27)
             self.assertEqual(figures.GetGenusOfExterior(), figures.GetGenusOfExteriorInImage())
         self.assertEqual(fitted.GetNumberOfCrossings(), 0)
