@@ -28,10 +28,10 @@ namespace itk
  * the very same place are taken for one. Voids that the tissue encloses are the exterior's, as a mesh of any origin
  * knows one exterior.
  *
- * Compute() finds all of tissue::TissueMeshEvaluation, whose comments say what each figure is: adjacency2 and 4,
- * corners of more than four cells, closed cells and their Euler characteristic, volume errors, the walls' distance to
- * those of the image, quality and crossings of the triangles, Dice of the voxels, convexity. The result does not depend
- * on the number of work units.
+ * Compute() finds all of tissue::TissueMeshEvaluation, whose comments say what each figure is: adjacency2 and 4, false
+ * and missing pairs of neighbours, separate walls, the topology of the exterior, corners of more than four cells,
+ * closed cells and their Euler characteristic, volume errors, the walls' distance to those of the image, quality and
+ * crossings of the triangles, Dice of the voxels, convexity. The result does not depend on the number of work units.
  *
  * \sa LabelImageToCellWallMeshFilter
  * \ingroup TissueTessellation
@@ -92,10 +92,27 @@ public:
   GetAdjacency2() const;
   double
   GetAdjacency4() const;
+  double
+  GetAdjacency4OfNeighbors() const;
+  SizeValueType
+  GetNumberOfFalsePairs() const;
+  SizeValueType
+  GetNumberOfMissingPairs() const;
+  SizeValueType
+  GetNumberOfPairsWithSeparateWalls() const;
+  SizeValueType
+  GetNumberOfKeptPairsWithSeparateWalls() const;
+  /** -1 where the mesh is not closed to the exterior. */
+  OffsetValueType
+  GetGenusOfExterior() const;
+  OffsetValueType
+  GetGenusOfExteriorInImage() const;
   SizeValueType
   GetNumberOfCells() const;
   SizeValueType
   GetNumberOfClosedCells() const;
+  SizeValueType
+  GetNumberOfCellsOfSpheres() const;
   SizeValueType
   GetNumberOfCrowdedCorners() const;
   SizeValueType

@@ -152,6 +152,55 @@ CellWallMeshEvaluationCalculator<TLabelImage>::GetAdjacency4() const
 }
 
 template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetAdjacency4OfNeighbors() const
+{
+  return this->GetEvaluation().mesh.overlap.adjacency4OfNeighbors;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfFalsePairs() const
+{
+  return this->GetEvaluation().mesh.overlap.numberOfFalsePairs;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfMissingPairs() const
+{
+  return this->GetEvaluation().mesh.overlap.numberOfMissingPairs;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfPairsWithSeparateWalls() const
+{
+  return this->GetEvaluation().separateWalls.numberOfPairs;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfKeptPairsWithSeparateWalls() const
+{
+  return this->GetEvaluation().separateWalls.numberOfKeptPairs;
+}
+
+template <typename TLabelImage>
+OffsetValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetGenusOfExterior() const
+{
+  return this->GetEvaluation().exteriorOfMesh.Genus();
+}
+
+template <typename TLabelImage>
+OffsetValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetGenusOfExteriorInImage() const
+{
+  return this->GetEvaluation().exteriorOfImage.Genus();
+}
+
+template <typename TLabelImage>
 SizeValueType
 CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfCells() const
 {
@@ -163,6 +212,13 @@ SizeValueType
 CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfClosedCells() const
 {
   return this->GetEvaluation().mesh.numberOfClosedCells;
+}
+
+template <typename TLabelImage>
+SizeValueType
+CellWallMeshEvaluationCalculator<TLabelImage>::GetNumberOfCellsOfSpheres() const
+{
+  return this->GetEvaluation().mesh.numberOfCellsOfSpheres;
 }
 
 template <typename TLabelImage>

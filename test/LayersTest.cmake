@@ -16,7 +16,7 @@ set(Dual           Common Geometry Adjacency Complex Nerve Mesh)
 set(Fitting        Common Geometry Adjacency Image Complex Nerve Mesh Remeshing Dual)
 set(Tessellation   Common Geometry)
 set(Points         Common Geometry Adjacency Image Complex Tessellation)
-set(Evaluation     Common Geometry Adjacency Image Complex Mesh)
+set(Evaluation     Common Geometry Adjacency Image Complex Nerve Mesh)
 set(Reconstruction Common Geometry Adjacency Image Complex Nerve Optimization Mesh Remeshing Dual Fitting)
 set(coreFolders Common Geometry Adjacency Image Complex Nerve Optimization Mesh Remeshing Dual Fitting Tessellation Points
   Evaluation Reconstruction)

@@ -108,6 +108,16 @@ Evaluate(const ExtractedJunctions & extracted, const std::shared_ptr<const Trian
 }
 
 Json
+ToJson(const SurfaceTopology & topology)
+{
+  const auto ifClosed = [&topology](std::int64_t value) { return topology.isClosed ? Json(value) : Json(); };
+  return { { "isClosed", topology.isClosed },
+           { "pieces", ifClosed(topology.numberOfPieces) },
+           { "eulerCharacteristic", ifClosed(topology.eulerCharacteristic) },
+           { "genus", ifClosed(topology.Genus()) } };
+}
+
+Json
 ToJson(const Evaluation & e)
 {
   const auto                 numberOrNull = [](double value) { return value < 0.0 ? Json() : Json(value); };
@@ -119,10 +129,17 @@ ToJson(const Evaluation & e)
     { "trianglesPerCell", e.TrianglesPerCell() },
     { "adjacency2", m.overlap.adjacency2 },
     { "adjacency4", m.overlap.adjacency4 },
+    { "adjacency4OfNeighbors", m.overlap.adjacency4OfNeighbors },
+    { "falsePairs", m.overlap.numberOfFalsePairs },
+    { "missingPairs", m.overlap.numberOfMissingPairs },
+    { "separateWalls",
+                            { { "pairs", e.separateWalls.numberOfPairs }, { "keptPairs", e.separateWalls.numberOfKeptPairs } } },
+    { "exterior", { { "image", ToJson(e.exteriorOfImage) }, { "mesh", ToJson(e.exteriorOfMesh) } } },
     { "corners", m.numberOfCorners },
     { "cornersOfMoreThanFourCells", m.numberOfCrowdedCorners },
     { "missingCells", m.numberOfMissingCells },
     { "closedCells", m.numberOfClosedCells },
+    { "cellsOfSpheres", m.numberOfCellsOfSpheres },
     { "spheres", m.numberOfSpheres },
     { "meanVolumeError", numberOrNull(m.meanVolumeError) },
     { "volumeErrorPercentile95", numberOrNull(m.volumeErrorPercentile95) },
@@ -142,6 +159,8 @@ ToJson(const Evaluation & e)
     const WallMeshEvaluation::Cell & cell = m.cells[v];
     json["byCell"].push_back({ { "label", e.imageCells[v].label },
                                { "isClosed", cell.isClosed },
+                               { "pieces", cell.numberOfPieces },
+                               { "hasOnlySpheres", cell.hasOnlySpheres },
                                { "eulerCharacteristic", cell.eulerCharacteristic },
                                { "volumeError", numberOrNull(cell.volumeError) },
                                { "wallDistance", numberOrNull(e.distance.ofVertex[v]) },
@@ -150,6 +169,16 @@ ToJson(const Evaluation & e)
                                { "convexity", numberOrNull(cell.convexity) } });
   }
   return json;
+}
+
+/** Pieces and genus of a boundary, for a person. */
+std::string
+Describe(const SurfaceTopology & topology)
+{
+  return topology.isClosed
+           ? "genus " + std::to_string(topology.Genus()) + " in " + std::to_string(topology.numberOfPieces) +
+               (topology.numberOfPieces == 1 ? " piece" : " pieces")
+           : "not closed";
 }
 
 void
@@ -167,10 +196,18 @@ Print(const Evaluation & e, std::ostream & stream)
   };
   stream << std::setprecision(4);
   line("Triangles") << m.numberOfTriangles << ", " << e.TrianglesPerCell() << " a cell\n";
-  line("Adjacency2, adjacency4") << m.overlap.adjacency2 << ", " << m.overlap.adjacency4 << '\n';
+  line("Adjacency2, adjacency4") << m.overlap.adjacency2 << ", " << m.overlap.adjacency4 << "; of neighbours "
+                                 << m.overlap.adjacency4OfNeighbors << '\n';
+  line("Pairs of neighbours: false, missing")
+    << m.overlap.numberOfFalsePairs << ", " << m.overlap.numberOfMissingPairs << '\n';
+  line("Pairs with separate walls: kept")
+    << e.separateWalls.numberOfKeptPairs << " of " << e.separateWalls.numberOfPairs << '\n';
+  line("Exterior: in the image, in the mesh")
+    << Describe(e.exteriorOfImage) << ", " << Describe(e.exteriorOfMesh) << '\n';
   line("Corners of more than four cells") << m.numberOfCrowdedCorners << " of " << m.numberOfCorners << '\n';
-  line("Cells: closed, spheres, missing") << m.numberOfClosedCells << ", " << m.numberOfSpheres << ", "
-                                          << m.numberOfMissingCells << " of " << m.numberOfCells << '\n';
+  line("Cells: closed, of spheres, missing")
+    << m.numberOfClosedCells << ", " << m.numberOfCellsOfSpheres << " (" << m.numberOfSpheres << " of one), "
+    << m.numberOfMissingCells << " of " << m.numberOfCells << '\n';
   line("Volume error: mean, 95 %") << numberOrNone(m.meanVolumeError) << ", " << numberOrNone(m.volumeErrorPercentile95)
                                    << "; " << m.shareWithinOnePercent << " of the cells within 1 %\n";
   line("Wall to the same wall") << numberOrNone(e.distance.mean) << ", in voxels "

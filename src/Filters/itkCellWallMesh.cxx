@@ -99,13 +99,13 @@ CellWallMesh::GetTriangleLabels() const
 double
 CellWallMesh::GetAdjacency2() const
 {
-  return this->GetReconstruction().stages.back().statistics.adjacency2;
+  return this->GetReconstruction().stages.back().statistics.overlap.adjacency2;
 }
 
 double
 CellWallMesh::GetAdjacency4() const
 {
-  return this->GetReconstruction().stages.back().statistics.adjacency4;
+  return this->GetReconstruction().stages.back().statistics.overlap.adjacency4;
 }
 
 void

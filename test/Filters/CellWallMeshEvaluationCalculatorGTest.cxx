@@ -110,6 +110,15 @@ TEST(CellWallMeshEvaluationCalculator, FindsWhatIsKnownOfFourCubes)
     EXPECT_NEAR(found.mesh.meanConvexity, 1.0, 1e-12);
     EXPECT_DOUBLE_EQ(found.mesh.overlap.adjacency2, 1.0);
     EXPECT_DOUBLE_EQ(found.mesh.overlap.adjacency4, 1.0);
+    // Each four cells at an end of the edge have two that share the edge alone.
+    EXPECT_DOUBLE_EQ(calculator->GetAdjacency4OfNeighbors(), 0.0);
+    EXPECT_EQ(calculator->GetNumberOfFalsePairs(), 0u);
+    EXPECT_EQ(calculator->GetNumberOfMissingPairs(), 0u);
+    EXPECT_EQ(calculator->GetNumberOfPairsWithSeparateWalls(), 0u);
+    EXPECT_EQ(calculator->GetNumberOfKeptPairsWithSeparateWalls(), 0u);
+    EXPECT_EQ(calculator->GetGenusOfExterior(), 0);
+    EXPECT_EQ(calculator->GetGenusOfExteriorInImage(), 0);
+    EXPECT_EQ(calculator->GetNumberOfCellsOfSpheres(), 4u);
     EXPECT_EQ(found.distance.shareOfFalseWalls, 0.0);
     EXPECT_DOUBLE_EQ(found.meanDice, 1.0);
     EXPECT_EQ(calculator->GetCells()[4].label, 40);

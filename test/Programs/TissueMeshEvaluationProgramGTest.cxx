@@ -81,15 +81,22 @@ TEST_F(TissueMeshEvaluationApp, AgreesWithTheProgramThatMadeTheMesh)
   const auto report = this->ReadReport();
   EXPECT_EQ(report["cells"], 40);
   EXPECT_EQ(report["spheres"], 40);
+  EXPECT_EQ(report["cellsOfSpheres"], 40);
   EXPECT_EQ(report["triangles"], made["mesh"]["triangles"]);
   EXPECT_DOUBLE_EQ(report["adjacency2"], made["stages"]["optimized"]["adjacency2"]);
   EXPECT_DOUBLE_EQ(report["adjacency4"], made["stages"]["optimized"]["adjacency4"]);
+  EXPECT_GT(report["adjacency4OfNeighbors"], 0.5);
+  EXPECT_EQ(report["falsePairs"].get<int>() + report["missingPairs"].get<int>() == 0, report["adjacency2"] == 1.0);
+  EXPECT_LE(report["separateWalls"]["keptPairs"], report["separateWalls"]["pairs"]);
+  EXPECT_EQ(report["exterior"]["image"]["genus"], 0);
+  EXPECT_EQ(report["exterior"]["mesh"], report["exterior"]["image"]);
   EXPECT_EQ(report["cornersOfMoreThanFourCells"], 0);
   EXPECT_EQ(report["crossingPairs"], 0);
   EXPECT_GT(report["meanDice"], 0.85);
   ASSERT_EQ(report["byCell"].size(), 40u);
   const auto & cell = report["byCell"][7];
   EXPECT_EQ(cell["label"], 8);
+  EXPECT_EQ(cell["pieces"], 1);
   // Voxels of 0.5 x 0.5 x 1.
   EXPECT_NEAR(cell["wallDistanceInVoxels"].get<double>(), cell["wallDistance"].get<double>() / std::cbrt(0.25), 1e-9);
   EXPECT_NE(m_Output.find("Adjacency2, adjacency4"), std::string::npos) << m_Output;
@@ -106,6 +113,7 @@ TEST_F(TissueMeshEvaluationApp, HoleAndTurnedTriangleOpenTheirCells)
   this->WriteMesh(mesh, "turned.vtp");
   ASSERT_EQ(this->Evaluate("turned.vtp tissue.mha --report report.json"), 0) << m_Errors;
   EXPECT_LT(this->ReadReport()["closedCells"], 40);
+  EXPECT_LT(this->ReadReport()["cellsOfSpheres"], 40);
 }
 
 TEST_F(TissueMeshEvaluationApp, RefusesMeshesThatItCannotJudge)

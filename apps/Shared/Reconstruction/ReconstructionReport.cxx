@@ -27,20 +27,34 @@ ToJsonIf(bool isKnown, const T & value)
 }
 
 Json
+ToJson(const AdjacencyOverlap & overlap)
+{
+  return { { "adjacency2", overlap.adjacency2 },
+           { "adjacency4", overlap.adjacency4 },
+           { "adjacency4OfNeighbors", overlap.adjacency4OfNeighbors },
+           { "falsePairs", overlap.numberOfFalsePairs },
+           { "missingPairs", overlap.numberOfMissingPairs } };
+}
+
+Json
 ToJson(const ReconstructionStage & stage, bool hasLabelImage)
 {
   const ComplexStatistics & s = stage.statistics;
-  return { { "adjacency2", ToJsonIf(hasLabelImage, s.adjacency2) },
-           { "adjacency4", ToJsonIf(hasLabelImage, s.adjacency4) },
-           { "neighborhoodError", s.neighborhoodError },
-           { "eccentricity", s.eccentricity },
-           { "minimalDihedralAngle", s.minimalDihedralAngle },
-           { "maximalDihedralAngle", s.maximalDihedralAngle },
-           { "tetrahedra", s.numberOfTetrahedra },
-           { "edges", s.numberOfEdges },
-           { "innerTetrahedra", s.numberOfInnerTetrahedra },
-           { "invertedTetrahedra", s.numberOfInvertedTetrahedra },
-           { "epidermalCells", s.numberOfEpidermalCells } };
+  Json                      json = ToJson(s.overlap);
+  for (auto & value : json)
+  {
+    value = ToJsonIf(hasLabelImage, value);
+  }
+  json.update({ { "neighborhoodError", s.neighborhoodError },
+                { "eccentricity", s.eccentricity },
+                { "minimalDihedralAngle", s.minimalDihedralAngle },
+                { "maximalDihedralAngle", s.maximalDihedralAngle },
+                { "tetrahedra", s.numberOfTetrahedra },
+                { "edges", s.numberOfEdges },
+                { "innerTetrahedra", s.numberOfInnerTetrahedra },
+                { "invertedTetrahedra", s.numberOfInvertedTetrahedra },
+                { "epidermalCells", s.numberOfEpidermalCells } });
+  return json;
 }
 
 /** Mean of the cells' relative difference from their volume in the image. */
@@ -91,8 +105,7 @@ ToJson(const StageEvaluation & evaluation, const std::vector<ReconstructionStage
              { "missedCells", evaluation.numberOfMissedCells } };
   for (std::size_t i = 0; i < stages.size(); ++i)
   {
-    const AdjacencyOverlap & overlap = evaluation.stages[i];
-    json[stages[i].name] = { { "adjacency2", overlap.adjacency2 }, { "adjacency4", overlap.adjacency4 } };
+    json[stages[i].name] = ToJson(evaluation.stages[i]);
   }
   return json;
 }

@@ -19,12 +19,13 @@ void
 PrintEvaluation(const StageEvaluation & evaluation, const std::vector<ReconstructionStage> & stages,
                 std::ostream & stream)
 {
-  stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4: " << std::fixed
+  stream << "Agreement with " << evaluation.against << ", adjacency2 / adjacency4 / of neighbours alone: " << std::fixed
          << std::setprecision(4);
   for (std::size_t i = 0; i < stages.size(); ++i)
   {
     const AdjacencyOverlap & overlap = evaluation.stages[i];
-    stream << (i > 0 ? ", " : "") << stages[i].name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4;
+    stream << (i > 0 ? ", " : "") << stages[i].name << ' ' << overlap.adjacency2 << " / " << overlap.adjacency4 << " / "
+           << overlap.adjacency4OfNeighbors;
   }
   stream << '\n';
 }
@@ -46,7 +47,7 @@ PrintStages(const TissueReconstruction & r, bool hasLabelImage, std::ostream & s
     stream << std::left << std::setw(11) << stage.name << std::right;
     if (hasLabelImage)
     {
-      stream << std::setprecision(4) << std::setw(11) << s.adjacency2 << std::setw(11) << s.adjacency4;
+      stream << std::setprecision(4) << std::setw(11) << s.overlap.adjacency2 << std::setw(11) << s.overlap.adjacency4;
     }
     stream << std::setprecision(3) << std::setw(15) << s.neighborhoodError << std::setw(14) << s.eccentricity
            << std::setprecision(1) << std::setw(12) << s.minimalDihedralAngle << std::setw(12) << s.maximalDihedralAngle
@@ -116,7 +117,7 @@ PrintMesh(const ReconstructionReport & report, std::ostream & stream)
   {
     stream << "Parts of the tissue that share no junction: " << reconstruction.numberOfParts << '\n';
   }
-  stream << "Cells that are closed spheres: "
+  stream << "Cells whose surfaces are closed spheres: "
          << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
          << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';
 }

@@ -24,9 +24,16 @@ struct AdjacencyOverlap
   double adjacency2 = 0.0;
   /** |T_T & T_S| / |T_T | T_S|, in 0 .. 1. */
   double adjacency4 = 0.0;
+  /** The same of those quadruples alone whose six pairs are neighbours, where each side goes by its own pairs: in E_S
+   * for the image, in E_T for the complex, which has no others. A block of more than four cells holds quadruples with a
+   * pair that shares no face; adjacency4 asks for them, each at the price of a false pair. */
+  double adjacency4OfNeighbors = 0.0;
+  /** |E_T - E_S| and |E_S - E_T|. */
+  std::size_t numberOfFalsePairs = 0;
+  std::size_t numberOfMissingPairs = 0;
 };
 
-/** \brief What cells a complex says to touch: pairs and quadruples, each once, their vertices ascending, and all in
+/** \brief What cells a complex or a mesh says to touch: pairs and quadruples, each once, their vertices ascending, and all in
  * ascending order. */
 struct AdjacencyTuples
 {
@@ -49,7 +56,8 @@ Jaccard(std::size_t common, std::size_t first, std::size_t second)
   return all > 0 ? static_cast<double>(common) / static_cast<double>(all) : 0.0;
 }
 
-/** Compares a complex with a reference that has the same vertices. */
+/** Compares a complex, or a mesh, with a reference. A tuple with a vertex that the reference has not is in the one set
+ * alone. */
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const ReferenceAdjacency & reference);
 

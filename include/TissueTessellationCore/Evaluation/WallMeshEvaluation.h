@@ -10,6 +10,8 @@
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
+#include "TissueTessellationCore/Evaluation/ExteriorTopology.h"
+#include "TissueTessellationCore/Evaluation/SeparateWalls.h"
 #include "TissueTessellationCore/Evaluation/WallDistance.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
@@ -24,8 +26,10 @@ struct WallMeshEvaluation
   /** The number of cells of the image, the exterior not counted. */
   std::size_t numberOfCells = 0;
   std::size_t numberOfMissingCells = 0;
-  /** The number of cells whose surface is closed, and of those whose surface is one sphere (CellSurface). */
+  /** The number of cells whose surface is closed, of those whose surface consists of spheres, and of those whose
+   * surface is one sphere (CellSurface). */
   std::size_t numberOfClosedCells = 0;
+  std::size_t numberOfCellsOfSpheres = 0;
   std::size_t numberOfSpheres = 0;
   /** The number of points where four or more cells meet, the exterior counted. */
   std::size_t numberOfCorners = 0;
@@ -42,7 +46,8 @@ struct WallMeshEvaluation
   double meanConvexity = -1.0;
   /** The overlap with the image's adjacencies of the pairs of cells with a triangle between them, and of the quadruples
    * of cells around a point. A point where more than four cells meet stands for each four of them, as a block of voxels
-   * of the image does. */
+   * of the image does; those of them that are no neighbours do not count in adjacency4OfNeighbors, so that a mesh of
+   * the image's voxel faces has 1 in all three. */
   AdjacencyOverlap overlap;
   QualitySummary   quality;
   std::size_t      numberOfDegenerateTriangles = 0;
@@ -55,8 +60,12 @@ struct WallMeshEvaluation
     double       volumeError = -1.0;
     double       convexity = -1.0;
     std::int32_t eulerCharacteristic = 0;
+    /** The number of pieces of the surface. */
+    std::int32_t numberOfPieces = 0;
     bool         isClosed = false;
-    bool         isSphere = false;
+    /** Whether every piece is a sphere, and whether there is but one. */
+    bool hasOnlySpheres = false;
+    bool isSphere = false;
   };
   /** What was found of each cell, by vertex. The entry of the exterior stays empty. */
   std::vector<Cell> cells;
@@ -71,11 +80,15 @@ WallMeshEvaluation
 EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Execution & execution = Execution());
 
 /** \brief All that is found of a wall mesh by the label image it was made from: of its cells and triangles, of its
- * walls' distance to those of the image, and of its voxels. */
+ * walls' number and distance to those of the image, of the tissue's surface, and of its voxels. */
 struct TissueMeshEvaluation
 {
   WallMeshEvaluation mesh;
   WallDistance       distance;
+  SeparateWalls      separateWalls;
+  /** The boundary of the exterior in the image and in the mesh. */
+  SurfaceTopology exteriorOfImage;
+  SurfaceTopology exteriorOfMesh;
   /** The Dice index of the voxels of each vertex (VoxelDice.h), and its mean over the cells. */
   std::vector<double> dice;
   double              meanDice = 0.0;
@@ -87,7 +100,8 @@ struct TissueMeshEvaluation
   }
 };
 
-/** Judges a mesh of any origin by EvaluateWallMesh, MeasureWallDistance and ComputeVoxelDice. The result is the same
+/** Judges a mesh of any origin by EvaluateWallMesh, MeasureWallDistance, CountSeparateWalls, FindExteriorTopology and
+ * ComputeVoxelDice. The result is the same
  * for any number of threads. \throws std::invalid_argument as RequireConsistentIndices does, and where there is no
  * cell. */
 TissueMeshEvaluation

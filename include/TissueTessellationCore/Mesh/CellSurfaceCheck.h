@@ -48,7 +48,16 @@ struct CellSurface
   bool
   IsSphere() const
   {
-    return this->IsClosed() && numberOfComponents == 1 && eulerCharacteristic == 2;
+    return this->HasOnlySpheres() && numberOfComponents == 1;
+  }
+
+  /** Tells whether each component of the surface is a topological sphere, and no two of them touch: a sound cell has
+   * one component more for each cell, or group of cells, within it, and for each further fragment. No component has
+   * more than the characteristic 2. */
+  bool
+  HasOnlySpheres() const
+  {
+    return this->IsClosed() && eulerCharacteristic == 2 * numberOfComponents;
   }
 };
 
@@ -59,7 +68,7 @@ struct CellSurfaceCheck
   std::vector<CellSurface> cells;
   /** The cells that are in no triangle, in ascending order. */
   std::vector<VertexId> cellsWithoutTriangles;
-  /** The cells with triangles whose surface is not a sphere, in ascending order. */
+  /** The cells with triangles whose surface does not consist of spheres, in ascending order. */
   std::vector<VertexId> cellsThatAreNoSphere;
   /** The points where by the triangles more than four cells meet, the exterior counted, in ascending order. */
   std::vector<PointId> crowdedPoints;

@@ -8,21 +8,20 @@
 #define TissueTessellationCore_ComplexStatistics_h
 
 #include "TissueTessellationCore/Common/Types.h"
+#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Optimization/OptimizationParameters.h"
 
 #include <vector>
 
 namespace tissue
 {
-struct AdjacencyTuples;
 class ReferenceAdjacency;
 
 /** \brief The columns of the paper's Tables 1 and 2 (section 4.1), and counts, of one stage of the complex. */
 struct ComplexStatistics
 {
-  /** Jaccard indices of the pairs and of the quadruples of the complex and the reference; 0 where there is none. */
-  double adjacency2 = 0.0;
-  double adjacency4 = 0.0;
+  /** With the reference; empty where there is none. */
+  AdjacencyOverlap overlap;
   /** The mean over the cells of ((n - N) / N)^2: the deviation of equation 3, relative to the ideal number N of
    * neighbours. */
   double neighborhoodError = 0.0;

@@ -116,10 +116,9 @@ ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
   }
   std::sort(
     votes.begin(), votes.end(), [](const JunctionVote & a, const JunctionVote & b) { return a.cells < b.cells; });
-  return { static_cast<VertexId>(m_Smaller.NumberOfRows()),
-           RenumberTuples(this->GetPairs(), ids),
-           RenumberTuples(this->GetQuadruples(), ids),
-           votes };
+  return {
+    this->NumberOfVertices(), RenumberTuples(this->GetPairs(), ids), RenumberTuples(this->GetQuadruples(), ids), votes
+  };
 }
 
 bool
@@ -127,6 +126,14 @@ ReferenceAdjacency::HasPair(VertexId u, VertexId v) const
 {
   const auto row = m_Smaller[static_cast<std::size_t>(std::max(u, v))];
   return std::binary_search(row.begin(), row.end(), std::min(u, v));
+}
+
+bool
+ReferenceAdjacency::AreNeighbors(const VertexQuadruple & vertices) const
+{
+  const auto & [a, b, c, d] = vertices;
+  return this->HasPair(a, b) && this->HasPair(a, c) && this->HasPair(a, d) && this->HasPair(b, c) &&
+         this->HasPair(b, d) && this->HasPair(c, d);
 }
 
 std::vector<VertexPair>

@@ -62,6 +62,10 @@ public:
   bool
   HasPair(VertexId u, VertexId v) const;
 
+  /** Whether the image shows walls of all six pairs of the four. */
+  bool
+  AreNeighbors(const VertexQuadruple & vertices) const;
+
   /** Whether the image shows that the four meet; the vertices are in any order. */
   bool
   HasQuadruple(const VertexQuadruple & vertices) const
@@ -93,6 +97,12 @@ public:
   GetQuadruples() const
   {
     return m_Quadruples.List();
+  }
+
+  VertexId
+  NumberOfVertices() const
+  {
+    return static_cast<VertexId>(m_Smaller.NumberOfRows());
   }
 
   std::size_t

@@ -13,6 +13,25 @@
 
 namespace tissue
 {
+namespace
+{
+template <typename TTuple, typename TTest>
+std::size_t
+CountIf(const std::vector<TTuple> & tuples, const TTest & test)
+{
+  return static_cast<std::size_t>(std::count_if(tuples.begin(), tuples.end(), test));
+}
+
+/** Whether test(u, v) holds of all six pairs of the four. */
+template <typename TTest>
+bool
+AllOfPairs(const VertexQuadruple & q, const TTest & test)
+{
+  return test(q[0], q[1]) && test(q[0], q[2]) && test(q[0], q[3]) && test(q[1], q[2]) && test(q[1], q[3]) &&
+         test(q[2], q[3]);
+}
+} // namespace
+
 AdjacencyTuples
 AdjacencyTuples::Of(std::vector<VertexQuadruple> tetrahedra, std::vector<VertexPair> walls)
 {
@@ -46,35 +65,51 @@ AdjacencyTuples::HasPair(VertexId u, VertexId v) const
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const ReferenceAdjacency & reference)
 {
-  const auto commonPairs = std::count_if(tuples.pairs.begin(), tuples.pairs.end(), [&](const VertexPair & pair) {
-    return reference.HasPair(pair[0], pair[1]);
-  });
-  const auto commonQuadruples =
-    std::count_if(tuples.quadruples.begin(), tuples.quadruples.end(), [&](const VertexQuadruple & q) {
-      return reference.HasQuadruple(q);
-    });
-  return {
-    Jaccard(static_cast<std::size_t>(commonPairs), tuples.pairs.size(), reference.NumberOfPairs()),
-    Jaccard(static_cast<std::size_t>(commonQuadruples), tuples.quadruples.size(), reference.NumberOfQuadruples())
+  const auto isKnown = [&](const auto & tuple) {
+    return std::all_of(tuple.begin(), tuple.end(), [&](VertexId v) { return v < reference.NumberOfVertices(); });
   };
+  const std::size_t commonPairs = CountIf(
+    tuples.pairs, [&](const VertexPair & pair) { return isKnown(pair) && reference.HasPair(pair[0], pair[1]); });
+  const auto isCommon = [&](const VertexQuadruple & q) { return isKnown(q) && reference.HasQuadruple(q); };
+  const auto areNeighbors = [&](const VertexQuadruple & q) {
+    return AllOfPairs(q, [&](VertexId u, VertexId v) { return tuples.HasPair(u, v); });
+  };
+  const auto areNeighborsInImage = [&](const VertexQuadruple & q) { return reference.AreNeighbors(q); };
+
+  AdjacencyOverlap overlap;
+  overlap.adjacency2 = Jaccard(commonPairs, tuples.pairs.size(), reference.NumberOfPairs());
+  overlap.adjacency4 =
+    Jaccard(CountIf(tuples.quadruples, isCommon), tuples.quadruples.size(), reference.NumberOfQuadruples());
+  overlap.adjacency4OfNeighbors = Jaccard(CountIf(tuples.quadruples,
+                                                  [&](const VertexQuadruple & q) {
+                                                    return isCommon(q) && areNeighbors(q) && areNeighborsInImage(q);
+                                                  }),
+                                          CountIf(tuples.quadruples, areNeighbors),
+                                          CountIf(reference.GetQuadruples(), areNeighborsInImage));
+  overlap.numberOfFalsePairs = tuples.pairs.size() - commonPairs;
+  overlap.numberOfMissingPairs = reference.NumberOfPairs() - commonPairs;
+  return overlap;
 }
 
 AdjacencyOverlap
 ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const std::vector<VertexId> & ids, const JunctionSet & image)
 {
+  // A vertex that is not in the image gets an id above those of the image.
   const ReferenceAdjacency reference(image);
-  const auto               isKnown = [&ids](VertexId v) { return ids[v] >= 0; };
-  const auto commonPairs = std::count_if(tuples.pairs.begin(), tuples.pairs.end(), [&](const VertexPair & pair) {
-    return std::all_of(pair.begin(), pair.end(), isKnown) && reference.HasPair(ids[pair[0]], ids[pair[1]]);
-  });
-  const auto commonQuadruples =
-    std::count_if(tuples.quadruples.begin(), tuples.quadruples.end(), [&](const VertexQuadruple & q) {
-      return std::all_of(q.begin(), q.end(), isKnown) &&
-             reference.HasQuadruple({ { ids[q[0]], ids[q[1]], ids[q[2]], ids[q[3]] } });
-    });
-  return {
-    Jaccard(static_cast<std::size_t>(commonPairs), tuples.pairs.size(), reference.NumberOfPairs()),
-    Jaccard(static_cast<std::size_t>(commonQuadruples), tuples.quadruples.size(), reference.NumberOfQuadruples())
+  AdjacencyTuples          ofImage = tuples;
+  const auto               rename = [&](auto & list) {
+    for (auto & tuple : list)
+    {
+      for (VertexId & v : tuple)
+      {
+        v = ids[v] >= 0 ? ids[v] : reference.NumberOfVertices() + v;
+      }
+      std::sort(tuple.begin(), tuple.end());
+    }
+    SortUnique(list);
   };
+  rename(ofImage.pairs);
+  rename(ofImage.quadruples);
+  return ComputeAdjacencyOverlap(ofImage, reference);
 }
 } // namespace tissue

@@ -109,18 +109,6 @@ CollectPairs(const WallMesh & walls, VertexId numberOfVertices)
   return pairs;
 }
 
-AdjacencyOverlap
-ComputeOverlap(const std::vector<VertexPair> & pairs, const std::vector<VertexQuadruple> & quadruples,
-               const ReferenceAdjacency & reference)
-{
-  const auto commonPairs = std::count_if(
-    pairs.begin(), pairs.end(), [&](const VertexPair & pair) { return reference.HasPair(pair[0], pair[1]); });
-  const auto commonQuadruples = std::count_if(
-    quadruples.begin(), quadruples.end(), [&](const VertexQuadruple & q) { return reference.HasQuadruple(q); });
-  return { Jaccard(static_cast<std::size_t>(commonPairs), pairs.size(), reference.NumberOfPairs()),
-           Jaccard(static_cast<std::size_t>(commonQuadruples), quadruples.size(), reference.NumberOfQuadruples()) };
-}
-
 /** Lists the points of the triangles of each cell, each once and in ascending order, as exact predicates are slow where
  * points are equal. */
 std::vector<std::vector<Point>>
@@ -161,6 +149,8 @@ JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Execut
     WallMeshEvaluation::Cell & cell = evaluation.cells[v];
     cell.eulerCharacteristic = surface.eulerCharacteristic;
     cell.isClosed = surface.IsClosed();
+    cell.numberOfPieces = surface.numberOfComponents;
+    cell.hasOnlySpheres = surface.HasOnlySpheres();
     cell.isSphere = surface.IsSphere();
     if (cell.isClosed)
     {
@@ -184,6 +174,7 @@ SumUpCells(WallMeshEvaluation & evaluation)
   std::size_t         withinOnePercent = 0;
   for (const WallMeshEvaluation::Cell & cell : evaluation.cells)
   {
+    evaluation.numberOfCellsOfSpheres += cell.hasOnlySpheres ? 1 : 0;
     evaluation.numberOfSpheres += cell.isSphere ? 1 : 0;
     if (cell.isClosed)
     {
@@ -215,8 +206,9 @@ EvaluateWallMesh(const WallMesh & walls, const JunctionSet & junctions, const Ex
   evaluation.numberOfCells = junctions.cells.size() - 1;
   JudgeCells(walls, junctions.cells, execution, evaluation);
   SumUpCells(evaluation);
-  const auto quadruples = CollectQuadruples(walls, numberOfVertices, evaluation);
-  evaluation.overlap = ComputeOverlap(CollectPairs(walls, numberOfVertices), quadruples, ReferenceAdjacency(junctions));
+  const AdjacencyTuples tuples{ CollectPairs(walls, numberOfVertices),
+                                CollectQuadruples(walls, numberOfVertices, evaluation) };
+  evaluation.overlap = ComputeAdjacencyOverlap(tuples, ReferenceAdjacency(junctions));
   evaluation.quality = SummarizeTriangleQuality(walls.points, walls.triangles);
   evaluation.numberOfCrossings = FindCrossings(walls, execution).size();
   return evaluation;
@@ -234,6 +226,9 @@ EvaluateTissueMesh(const WallMesh & walls, const JunctionSet & junctions, const 
   TissueMeshEvaluation evaluation;
   evaluation.mesh = EvaluateWallMesh(walls, junctions, execution);
   evaluation.distance = MeasureWallDistance(walls, numberOfVertices, labels, execution);
+  evaluation.separateWalls = CountSeparateWalls(walls, labels, execution);
+  evaluation.exteriorOfImage = FindExteriorTopology(labels, execution);
+  evaluation.exteriorOfMesh = FindExteriorTopology(walls);
   evaluation.dice = ComputeVoxelDice(walls, numberOfVertices, labels, execution);
   evaluation.meanDice = std::accumulate(evaluation.dice.begin() + 1, evaluation.dice.end(), 0.0) /
                         static_cast<double>(evaluation.mesh.numberOfCells);

@@ -238,7 +238,7 @@ CheckCellSurfaces(const WallMesh & mesh, VertexId numberOfVertices)
     {
       check.cellsWithoutTriangles.push_back(cell);
     }
-    else if (!check.cells[cell].IsSphere())
+    else if (!check.cells[cell].HasOnlySpheres())
     {
       check.cellsThatAreNoSphere.push_back(cell);
     }

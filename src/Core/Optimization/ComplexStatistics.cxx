@@ -9,7 +9,6 @@
 #include "Adjacency/ReferenceAdjacency.h"
 #include "Complex/AdjacencyComplex.h"
 #include "Geometry/ExactPredicates.h"
-#include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -66,9 +65,7 @@ ComputeStatistics(const std::vector<VertexQuadruple> & tetrahedra, const Adjacen
   statistics.numberOfEdges = tuples.pairs.size();
   if (reference)
   {
-    const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(tuples, *reference);
-    statistics.adjacency2 = overlap.adjacency2;
-    statistics.adjacency4 = overlap.adjacency4;
+    statistics.overlap = ComputeAdjacencyOverlap(tuples, *reference);
   }
   // Shapes are summed over the tetrahedra of cells and made means, and so are the deviations over the cells.
   for (const VertexQuadruple & t : tetrahedra)

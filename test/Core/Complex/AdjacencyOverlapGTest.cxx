@@ -28,6 +28,7 @@ TEST(AdjacencyOverlap, OverlapByHand)
   JunctionSet            junctions = JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3)));
   EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency2, 1.0);
   EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency4, 1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency4OfNeighbors, 1.0);
 
   // Of 15 pairs (all of six vertices) and 9 quadruples the image lacks two each, and it has one quadruple more.
   ASSERT_EQ(junctions.walls.size(), 15u);
@@ -46,6 +47,10 @@ TEST(AdjacencyOverlap, OverlapByHand)
   const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions));
   EXPECT_DOUBLE_EQ(overlap.adjacency2, 13.0 / 15.0);
   EXPECT_DOUBLE_EQ(overlap.adjacency4, 7.0 / 10.0);
+  // The pairs that the image lacks are of the exterior and of cells of the ring: three quadruples have neither.
+  EXPECT_DOUBLE_EQ(overlap.adjacency4OfNeighbors, 3.0 / 9.0);
+  EXPECT_EQ(overlap.numberOfFalsePairs, 2u);
+  EXPECT_EQ(overlap.numberOfMissingPairs, 0u);
 }
 
 TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
@@ -76,4 +81,6 @@ TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
   ASSERT_GT(lost, 2.0);
   EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).adjacency2, 10.0 / 20.0);
   EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).adjacency4, (9.0 - lost) / (9.0 + lost));
+  EXPECT_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).numberOfFalsePairs, 5u);
+  EXPECT_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).numberOfMissingPairs, 5u);
 }

@@ -8,6 +8,7 @@
 #include "TissueTessellationCore/Evaluation/LabelledTriangles.h"
 #include "TissueTessellationCore/Evaluation/WallMeshEvaluation.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+#include "VoxelTissue.h"
 
 #include <gtest/gtest.h>
 
@@ -70,6 +71,10 @@ TEST(WallMeshEvaluation, PointOfFiveCellsStandsForEachFourOfThem)
   EXPECT_DOUBLE_EQ(evaluation.meanVolumeError, 0.25);
   EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 8.0 / 9.0);
   EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency4, 2.0 / 5.0);
+  // Each of the quadruples has a pair of cubes that share the edge alone: 2 and 3, or 1 and 4 in the mesh.
+  EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency4OfNeighbors, 0.0);
+  EXPECT_EQ(evaluation.overlap.numberOfFalsePairs, 0u);
+  EXPECT_EQ(evaluation.overlap.numberOfMissingPairs, 1u);
 }
 
 TEST(WallMeshEvaluation, GapIsNoNeighbour)
@@ -89,6 +94,67 @@ TEST(WallMeshEvaluation, GapIsNoNeighbour)
   EXPECT_EQ(evaluation.numberOfMissingCells, 0u);
   EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency2, 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(evaluation.overlap.adjacency4, 0.0);
+}
+
+namespace
+{
+/** A mesh of the image's voxel faces, judged by the image. */
+tissue::TissueMeshEvaluation
+EvaluateVoxelFaces(const std::array<int, 3> & size, const std::vector<tissue::VertexId> & vertices)
+{
+  tissue::LabelVolume volume;
+  volume.size = { { size[0], size[1], size[2] } };
+  volume.vertices = vertices;
+  volume.origin = { { 0.5, 0.5, 0.5 } };
+  return tissue::EvaluateTissueMesh(MakeVoxelWallMesh(size, vertices), tissue_test::JunctionsOf(volume), volume);
+}
+} // namespace
+
+TEST(WallMeshEvaluation, MeshOfVoxelFacesHasAllAdjacencies)
+{
+  // Random labels: most blocks are of five cells and more.
+  tissue::Random                random(3);
+  std::vector<tissue::VertexId> vertices(512);
+  std::generate(vertices.begin(), vertices.end(), [&random] { return 1 + random.Index(12); });
+  const auto evaluation = EvaluateVoxelFaces({ { 8, 8, 8 } }, vertices);
+  EXPECT_DOUBLE_EQ(evaluation.mesh.overlap.adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(evaluation.mesh.overlap.adjacency4, 1.0);
+  EXPECT_DOUBLE_EQ(evaluation.mesh.overlap.adjacency4OfNeighbors, 1.0);
+  EXPECT_EQ(evaluation.separateWalls.numberOfKeptPairs, evaluation.separateWalls.numberOfPairs);
+  EXPECT_EQ(evaluation.exteriorOfImage.Genus(), 0);
+  EXPECT_EQ(evaluation.exteriorOfMesh.Genus(), 0);
+}
+
+TEST(WallMeshEvaluation, CellAroundAnotherIsOfSpheres)
+{
+  std::vector<tissue::VertexId> vertices(27, 1);
+  vertices[13] = 2;
+  const auto evaluation = EvaluateVoxelFaces({ { 3, 3, 3 } }, vertices);
+  EXPECT_EQ(evaluation.mesh.numberOfClosedCells, 2u);
+  EXPECT_EQ(evaluation.mesh.numberOfCellsOfSpheres, 2u);
+  EXPECT_EQ(evaluation.mesh.numberOfSpheres, 1u);
+  EXPECT_TRUE(evaluation.mesh.cells[1].hasOnlySpheres);
+  EXPECT_EQ(evaluation.mesh.cells[1].numberOfPieces, 2);
+  EXPECT_EQ(evaluation.mesh.cells[2].numberOfPieces, 1);
+  EXPECT_NEAR(evaluation.mesh.meanVolumeError, 0.0, 1e-12);
+}
+
+TEST(WallMeshEvaluation, RingOfCellsAndItsExteriorAreJudged)
+{
+  // Two cells that meet on two sides of a hole, in walls of 12 faces each.
+  std::vector<tissue::VertexId> vertices;
+  for (int i = 0; i < 9 * 4 * 4; ++i)
+  {
+    const int x = i % 9;
+    const int y = i / 9 % 4;
+    vertices.push_back(x >= 3 && x < 6 && y >= 1 && y < 3 ? tissue::ExteriorVertex : y < 2 ? 1 : 2);
+  }
+  const auto evaluation = EvaluateVoxelFaces({ { 9, 4, 4 } }, vertices);
+  EXPECT_EQ(evaluation.separateWalls.numberOfPairs, 1u);
+  EXPECT_EQ(evaluation.separateWalls.numberOfKeptPairs, 1u);
+  EXPECT_EQ(evaluation.exteriorOfImage.Genus(), 1);
+  EXPECT_EQ(evaluation.exteriorOfMesh.Genus(), 1);
+  EXPECT_EQ(evaluation.exteriorOfMesh.numberOfPieces, 1);
 }
 
 TEST(WallMeshEvaluation, CellWithoutTriangleIsMissing)

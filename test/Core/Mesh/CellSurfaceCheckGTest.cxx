@@ -122,9 +122,11 @@ TEST(CellSurfaceCheck, ATorusIsClosedButNoSphere)
   EXPECT_EQ(check.cells[1].eulerCharacteristic, 0);
   EXPECT_DOUBLE_EQ(check.cells[1].volume, 8.0);
   EXPECT_FALSE(check.cells[1].IsSphere());
+  EXPECT_FALSE(check.cells[1].HasOnlySpheres());
+  EXPECT_EQ(check.cellsThatAreNoSphere, std::vector<tissue::VertexId>{ 1 });
 }
 
-TEST(CellSurfaceCheck, ACellAroundAnotherHasTwoComponents)
+TEST(CellSurfaceCheck, ACellAroundAnotherHasTwoComponentsAndIsSound)
 {
   std::vector<tissue::VertexId> vertices(27, 1);
   vertices[13] = 2;
@@ -134,7 +136,21 @@ TEST(CellSurfaceCheck, ACellAroundAnotherHasTwoComponents)
   EXPECT_DOUBLE_EQ(check.cells[1].volume, 26.0);
   EXPECT_TRUE(check.cells[1].IsClosed());
   EXPECT_FALSE(check.cells[1].IsSphere());
+  EXPECT_TRUE(check.cells[1].HasOnlySpheres());
   EXPECT_TRUE(check.cells[2].IsSphere());
+  EXPECT_TRUE(check.IsSound());
+}
+
+TEST(CellSurfaceCheck, ASphereAndATorusAreNotOnlySpheres)
+{
+  // The torus and, apart from it, a cube.
+  const auto check =
+    tissue::CheckCellSurfaces(MakeVoxelWallMesh({ { 5, 3, 1 } }, { 1, 1, 1, 0, 0, 1, 0, 1, 0, 1, 1, 1, 1, 0, 0 }), 2);
+  EXPECT_TRUE(check.cells[1].IsClosed());
+  EXPECT_EQ(check.cells[1].numberOfComponents, 2);
+  EXPECT_EQ(check.cells[1].eulerCharacteristic, 2);
+  EXPECT_FALSE(check.cells[1].HasOnlySpheres());
+  EXPECT_FALSE(check.cells[1].IsSphere());
 }
 
 TEST(CellSurfaceCheck, VoxelsThatTouchAlongAnEdgeCrowdIt)
@@ -152,6 +168,7 @@ TEST(CellSurfaceCheck, VoxelsThatTouchAtAPointAreTwoComponents)
   // 15 points, 36 edges, 24 triangles.
   EXPECT_EQ(check.cells[1].eulerCharacteristic, 3);
   EXPECT_FALSE(check.cells[1].IsSphere());
+  EXPECT_FALSE(check.cells[1].HasOnlySpheres());
 }
 
 TEST(CellSurfaceCheck, FourCubesAroundAnEdgeCrowdItsTwoEnds)

@@ -31,8 +31,8 @@ TEST(ComplexStatistics, OfTheRegularTetrahedron)
   const auto               centers = RegularTetrahedron();
   const ReferenceAdjacency reference(JunctionsOf(complex, centers));
   const auto               statistics = ComputeStatistics(complex, centers, &reference, {});
-  EXPECT_DOUBLE_EQ(statistics.adjacency2, 1.0);
-  EXPECT_DOUBLE_EQ(statistics.adjacency4, 1.0);
+  EXPECT_DOUBLE_EQ(statistics.overlap.adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(statistics.overlap.adjacency4, 1.0);
   EXPECT_NEAR(statistics.eccentricity, 0.0, 1e-12);
   EXPECT_NEAR(statistics.minimalDihedralAngle, Degrees(std::acos(1.0 / 3.0)), 1e-9);
   EXPECT_NEAR(statistics.maximalDihedralAngle, Degrees(std::acos(1.0 / 3.0)), 1e-9);
@@ -53,8 +53,8 @@ TEST(ComplexStatistics, OfTheCornerOfACube)
   EXPECT_NEAR(statistics.eccentricity, 1.0 - 6.0 * std::sqrt(3.0) / (area * area * area), 1e-12);
   EXPECT_NEAR(statistics.minimalDihedralAngle, Degrees(std::acos(1.0 / std::sqrt(3.0))), 1e-9);
   EXPECT_NEAR(statistics.maximalDihedralAngle, 90.0, 1e-9);
-  EXPECT_EQ(statistics.adjacency2, 0.0) << "without a reference";
-  EXPECT_EQ(statistics.adjacency4, 0.0) << "without a reference";
+  EXPECT_EQ(statistics.overlap.adjacency2, 0.0) << "without a reference";
+  EXPECT_EQ(statistics.overlap.adjacency4, 0.0) << "without a reference";
 }
 
 TEST(ComplexStatistics, CountsInvertedAndFlatTetrahedra)

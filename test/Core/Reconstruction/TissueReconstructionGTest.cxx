@@ -132,10 +132,10 @@ TEST(TissueReconstruction, StagesHaveTheirTetrahedraIfTheyAreToBeKept)
   {
     EXPECT_EQ(stage->tetrahedra.size(), stage->statistics.numberOfTetrahedra);
     const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(stage->tetrahedra, ids, ball.junctions);
-    EXPECT_DOUBLE_EQ(overlap.adjacency2, stage->statistics.adjacency2);
-    EXPECT_DOUBLE_EQ(overlap.adjacency4, stage->statistics.adjacency4);
+    EXPECT_DOUBLE_EQ(overlap.adjacency2, stage->statistics.overlap.adjacency2);
+    EXPECT_DOUBLE_EQ(overlap.adjacency4, stage->statistics.overlap.adjacency4);
   }
-  EXPECT_GT(result.optimized.statistics.adjacency4, result.delaunay.statistics.adjacency4);
+  EXPECT_GT(result.optimized.statistics.overlap.adjacency4, result.delaunay.statistics.overlap.adjacency4);
   EXPECT_EQ(result.optimized.tetrahedra, result.tetrahedra);
 }
 
@@ -223,7 +223,7 @@ TEST(TissueReconstruction, CellsWithoutKnownNeighboursHaveNoRemarks)
   const TissueReconstruction result =
     ReconstructTissue(CellsAt({ centers.begin() + 1, centers.end() }), ReconstructionParameters::PaperPointsPreset());
   EXPECT_TRUE(result.remarks.empty());
-  EXPECT_EQ(result.optimized.statistics.adjacency2, 0.0);
+  EXPECT_EQ(result.optimized.statistics.overlap.adjacency2, 0.0);
   EXPECT_GT(result.maximumEdgeLength, 0.0);
   EXPECT_TRUE(CheckCellSurfaces(result.walls, 31).IsSound());
 }
