@@ -30,6 +30,7 @@ FarthestFrom(const LabelVolume & volume, const VoxelIndex & from, const std::vec
     return Distance(place, PlaceOf(volume, a)) < Distance(place, PlaceOf(volume, b));
   });
 }
+
 } // namespace
 
 GeodesicSeeds::GeodesicSeeds(const LabelVolume & volume, std::vector<VoxelIndex> region)
@@ -45,16 +46,23 @@ GeodesicSeeds::GeodesicSeeds(const LabelVolume & volume, std::vector<VoxelIndex>
   m_IndexOf.reserve(m_Region.size());
   for (std::size_t i = 0; i < m_Region.size(); ++i)
   {
-    m_IndexOf.emplace(this->KeyOf(m_Region[i]), i);
+    m_IndexOf.emplace(KeyOfVoxel(volume, m_Region[i]), static_cast<std::int32_t>(i));
+  }
+  m_Neighbors.resize(m_Region.size());
+  for (std::size_t i = 0; i < m_Region.size(); ++i)
+  {
+    for (std::size_t s = 0; s < m_Lengths.size(); ++s)
+    {
+      m_Neighbors[i][s] = this->IndexOf(m_Region[i] + KuhnSteps()[s]);
+    }
   }
 }
 
-std::int64_t
-GeodesicSeeds::KeyOf(const VoxelIndex & voxel) const
+std::int32_t
+GeodesicSeeds::IndexOf(const VoxelIndex & voxel) const
 {
-  // The neighbours of an image's voxels have keys of their own, too.
-  return (static_cast<std::int64_t>(voxel[2] + 1) * (m_Volume.size[1] + 2) + voxel[1] + 1) * (m_Volume.size[0] + 2) +
-         voxel[0] + 1;
+  const auto at = m_IndexOf.find(KeyOfVoxel(m_Volume, voxel));
+  return at == m_IndexOf.end() ? None : at->second;
 }
 
 void
@@ -70,17 +78,16 @@ GeodesicSeeds::Add(const VoxelIndex & voxel)
       open.emplace(distance, i);
     }
   };
-  reach(m_IndexOf.at(this->KeyOf(voxel)), 0.0);
+  reach(static_cast<std::size_t>(this->IndexOf(voxel)), 0.0);
   while (!open.empty())
   {
     const auto [distance, i] = open.top();
     open.pop();
     for (std::size_t s = 0; distance == m_Distances[i] && s < m_Lengths.size(); ++s)
     {
-      const auto at = m_IndexOf.find(this->KeyOf(m_Region[i] + KuhnSteps()[s]));
-      if (at != m_IndexOf.end())
+      if (m_Neighbors[i][s] != None)
       {
-        reach(at->second, distance + m_Lengths[s]);
+        reach(static_cast<std::size_t>(m_Neighbors[i][s]), distance + m_Lengths[s]);
       }
     }
   }

@@ -51,22 +51,25 @@ public:
   }
 
 private:
-  std::int64_t
-  KeyOf(const VoxelIndex & voxel) const;
-
   double
   DistanceTo(const VoxelIndex & voxel) const
   {
-    return m_Distances[m_IndexOf.at(this->KeyOf(voxel))];
+    return m_Distances[static_cast<std::size_t>(this->IndexOf(voxel))];
   }
 
-  const LabelVolume &                           m_Volume;
-  std::array<double, 14>                        m_Lengths;
-  std::vector<VoxelIndex>                       m_Region;
-  std::unordered_map<std::int64_t, std::size_t> m_IndexOf;
-  std::vector<double>                           m_Distances;
-  std::vector<int>                              m_Seeds;
-  int                                           m_NumberOfSeeds = 0;
+  /** None of a voxel that is not in the region. */
+  std::int32_t
+  IndexOf(const VoxelIndex & voxel) const;
+
+  const LabelVolume &                            m_Volume;
+  std::array<double, 14>                         m_Lengths;
+  std::vector<VoxelIndex>                        m_Region;
+  std::unordered_map<std::int64_t, std::int32_t> m_IndexOf;
+  /** In the region, by index and step. */
+  std::vector<std::array<std::int32_t, 14>> m_Neighbors;
+  std::vector<double>                       m_Distances;
+  std::vector<int>                          m_Seeds;
+  int                                       m_NumberOfSeeds = 0;
 };
 } // namespace tissue
 

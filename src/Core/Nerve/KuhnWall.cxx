@@ -12,13 +12,6 @@ namespace tissue
 {
 namespace
 {
-/** Between raster order and the keys of voxels: they reach two voxels beyond the image. */
-std::int64_t
-KeyOfVoxel(const LabelVolume & volume, const VoxelIndex & p)
-{
-  return (static_cast<std::int64_t>(p[2] + 2) * (volume.size[1] + 4) + p[1] + 2) * (volume.size[0] + 4) + p[0] + 2;
-}
-
 int
 SumOf(const VoxelIndex & p)
 {
@@ -84,6 +77,12 @@ KeyOfTriangle(const LabelVolume & volume, const KuhnSimplex & simplex, int oppos
 }
 } // namespace
 
+std::int64_t
+KeyOfVoxel(const LabelVolume & volume, const VoxelIndex & p)
+{
+  return (static_cast<std::int64_t>(p[2] + 2) * (volume.size[1] + 4) + p[1] + 2) * (volume.size[0] + 4) + p[0] + 2;
+}
+
 const std::array<VoxelIndex, 14> &
 KuhnSteps()
 {
@@ -112,14 +111,14 @@ KuhnWallSearch::KeyOf(const KuhnEdge & edge) const
 std::optional<KuhnWall>
 KuhnWallSearch::Find(const KuhnEdge & start)
 {
-  if (!m_Found.insert(this->KeyOf(start)).second)
+  if (!m_Found.Insert(this->KeyOf(start)))
   {
     return std::nullopt;
   }
   KuhnWall wall;
   wall.cells = { { this->At(start.first), this->At(start.second) } };
   wall.start = start;
-  m_Walked.clear();
+  m_Walked.Clear();
   m_Open.assign(1, start);
   while (!m_Open.empty())
   {
@@ -129,6 +128,10 @@ KuhnWallSearch::Find(const KuhnEdge & start)
   }
   for (auto & voxels : wall.voxels)
   {
+    if (wall.IsSound())
+    {
+      voxels.clear();
+    }
     std::sort(voxels.begin(), voxels.end());
     voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   }
@@ -154,7 +157,7 @@ KuhnWallSearch::Visit(const KuhnEdge & edge, KuhnWall & wall)
       continue;
     }
     const KuhnEdge next = label == wall.cells[0] ? KuhnEdge{ third, edge.second } : KuhnEdge{ edge.first, third };
-    if (m_Found.insert(this->KeyOf(next)).second)
+    if (m_Found.Insert(this->KeyOf(next)))
     {
       m_Open.push_back(next);
     }
@@ -169,11 +172,11 @@ KuhnWallSearch::WalkCircle(const KuhnEdge & edge, const VoxelIndex & third, Kuhn
   std::transform(
     simplex.voxels.begin(), simplex.voxels.end(), labels.begin(), [this](const VoxelIndex & p) { return this->At(p); });
   bool hasCorners = false;
-  if (m_Walked.count(KeyOfTriangle(m_Volume, simplex, exit)) != 0)
+  if (m_Walked.Contains(KeyOfTriangle(m_Volume, simplex, exit)))
   {
     return;
   }
-  while (m_Walked.insert(KeyOfTriangle(m_Volume, simplex, exit)).second)
+  while (m_Walked.Insert(KeyOfTriangle(m_Volume, simplex, exit)))
   {
     simplex.Pivot(exit);
     const int entry = exit;
@@ -203,7 +206,7 @@ KuhnWallSearch::WalkCircle(const KuhnEdge & edge, const VoxelIndex & third, Kuhn
   }
   else
   {
-    wall.closedLines.push_back({ this->At(third), third });
+    wall.closedLines.push_back({ edge, third });
   }
 }
 } // namespace tissue

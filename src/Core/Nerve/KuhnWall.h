@@ -7,11 +7,11 @@
 #ifndef TissueTessellationCore_KuhnWall_h
 #define TissueTessellationCore_KuhnWall_h
 
+#include "Nerve/KeySet.h"
 #include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 namespace tissue
@@ -27,6 +27,10 @@ operator+(const VoxelIndex & a, const VoxelIndex & b)
   return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
 }
 
+/** A number of its own for each voxel of an image and for those outside that are not farther from it than two. */
+std::int64_t
+KeyOfVoxel(const LabelVolume & volume, const VoxelIndex & p);
+
 /** An edge of the Kuhn subdivision. */
 struct KuhnEdge
 {
@@ -34,11 +38,11 @@ struct KuhnEdge
   VoxelIndex second;
 };
 
-/** A place of a line where a third cell meets the two of a wall. */
-struct KuhnNeighbor
+/** A triangle of the Kuhn subdivision: an edge, and a third voxel. */
+struct KuhnTriangle
 {
-  VertexId   cell;
-  VoxelIndex voxel;
+  KuhnEdge   edge;
+  VoxelIndex third;
 };
 
 /** \brief A connected wall of two cells, as the label image has it as a piecewise linear map on the Kuhn subdivision of
@@ -49,12 +53,12 @@ struct KuhnWall
   /** Of `start`, the first and the second. */
   VertexPair cells;
   KuhnEdge   start;
-  /** By `cells`: the ends of the edges that the wall crosses, ascending and each once. */
+  /** By `cells`: the ends of the edges that the wall crosses, ascending and each once; not of a sound wall. */
   std::array<std::vector<VoxelIndex>, 2> voxels;
   /** Circles of the boundary that have corners. */
   int numberOfCircles = 0;
-  /** Circles of the boundary without a corner, each by the third cell of the line. */
-  std::vector<KuhnNeighbor> closedLines;
+  /** Circles of the boundary without a corner, each by an edge across the wall and a voxel of the third cell. */
+  std::vector<KuhnTriangle> closedLines;
 
   /** Whether the wall is in the nerve as one edge, in the place of all of it: its boundary is one circle, with corners.
    * Handles of the wall are not looked at: the nerve has none. */
@@ -94,11 +98,11 @@ private:
     return m_Volume.At(voxel[0], voxel[1], voxel[2]);
   }
 
-  const LabelVolume &              m_Volume;
-  std::unordered_set<std::int64_t> m_Found;
+  const LabelVolume & m_Volume;
+  KeySet              m_Found;
   /** Of the wall in hand: edges to be visited, and the triangles at its boundary that walks have come through. */
-  std::vector<KuhnEdge>            m_Open;
-  std::unordered_set<std::int64_t> m_Walked;
+  std::vector<KuhnEdge> m_Open;
+  KeySet                m_Walked;
 };
 } // namespace tissue
 

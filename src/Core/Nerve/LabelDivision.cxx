@@ -22,6 +22,32 @@ constexpr int LayerSteps = 2;
 constexpr std::int32_t Padding = LayerSteps + 1;
 constexpr int          MaximumNumberOfRounds = 6;
 
+/** Whether all voxels that are less than Padding steps from the outside are exterior. */
+bool
+HasPadding(const LabelVolume & volume)
+{
+  const auto isNearEnd = [](std::int32_t i, std::int32_t size) { return i < Padding || i >= size - Padding; };
+  for (std::int32_t z = 0; z < volume.size[2]; ++z)
+  {
+    for (std::int32_t y = 0; y < volume.size[1]; ++y)
+    {
+      const bool isWholeRow = isNearEnd(z, volume.size[2]) || isNearEnd(y, volume.size[1]);
+      for (std::int32_t x = 0; x < volume.size[0]; ++x)
+      {
+        if (!isWholeRow && x == Padding)
+        {
+          x = std::max(x, volume.size[0] - Padding);
+        }
+        if (x < volume.size[0] && volume.At(x, y, z) != ExteriorVertex)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 LabelVolume
 Pad(const LabelVolume & volume)
 {
@@ -69,14 +95,17 @@ struct Region
 class Division
 {
 public:
-  Division(const LabelVolume & volume, VertexId numberOfVertices, std::vector<KuhnEdge> starts)
-    : m_Volume(Pad(volume))
+  Division(LabelVolume volume, VertexId numberOfVertices, std::vector<KuhnEdge> starts)
+    : m_Volume(std::move(volume))
     , m_Starts(std::move(starts))
   {
-    for (KuhnEdge & start : m_Starts)
+    if (!HasPadding(m_Volume))
     {
-      start = { start.first + VoxelIndex{ { Padding, Padding, Padding } },
-                start.second + VoxelIndex{ { Padding, Padding, Padding } } };
+      m_Volume = Pad(m_Volume);
+      const VoxelIndex shift{ { Padding, Padding, Padding } };
+      std::transform(m_Starts.begin(), m_Starts.end(), m_Starts.begin(), [&](const KuhnEdge & start) {
+        return KuhnEdge{ start.first + shift, start.second + shift };
+      });
     }
     for (VertexId v = 0; v < numberOfVertices; ++v)
     {
@@ -131,18 +160,27 @@ private:
     std::map<VertexId, Surfaces> ofVertex;
     KuhnWallSearch               search(m_Volume);
     m_Regions.clear();
-    for (const KuhnEdge & start : m_Starts)
+    for (std::size_t i = 0; i < m_Starts.size(); ++i)
     {
-      const VertexId a = this->At(start.first);
-      const VertexId b = this->At(start.second);
-      if (a != b && !(this->IsOutside(a) && this->IsOutside(b)))
+      const KuhnEdge start = m_Starts[i];
+      if (this->IsOutside(this->At(start.first)) && this->IsOutside(this->At(start.second)))
       {
-        auto wall = search.Find(start);
-        if (wall && !wall->IsSound() && !this->IsForThird(*wall))
-        {
-          const int larger = this->FindLarger(wall->start.first, wall->start.second);
-          ofVertex[wall->cells[larger]].push_back(std::move(wall->voxels[larger]));
-        }
+        continue;
+      }
+      auto wall = search.Find(start);
+      if (!wall || wall->IsSound())
+      {
+        continue;
+      }
+      for (const KuhnTriangle & line : wall->closedLines)
+      {
+        m_Starts.push_back({ line.edge.first, line.third });
+        m_Starts.push_back({ line.edge.second, line.third });
+      }
+      if (!this->IsForThird(*wall))
+      {
+        const int larger = this->FindLarger(start.first, start.second);
+        ofVertex[wall->cells[larger]].push_back(std::move(wall->voxels[larger]));
       }
     }
     m_Starts.clear();
@@ -160,7 +198,7 @@ private:
     {
       return false;
     }
-    const VoxelIndex & third = wall.closedLines[0].voxel;
+    const VoxelIndex & third = wall.closedLines[0].third;
     return this->FindLarger(wall.start.first, third) == 1 && this->FindLarger(wall.start.second, third) == 1;
   }
 
@@ -200,48 +238,36 @@ private:
     return at->second;
   }
 
-  /** The region of a voxel; unbounded where it has left the image or become larger than the limit. */
+  /** The region of a voxel; unbounded where it has left the image or its box become larger than the limit. */
   Region
   Flood(const VoxelIndex & start, std::int64_t limit) const
   {
-    const VertexId                   vertex = this->At(start);
-    Region                           region{ { start }, Region::Unbounded };
-    std::unordered_set<std::int64_t> found;
-    VoxelIndex                       least = start;
-    VoxelIndex                       most = start;
-    if (!IsWithin(m_Volume, start))
-    {
-      return region;
-    }
-    found.insert(static_cast<std::int64_t>(OffsetOf(m_Volume, start)));
+    const VertexId vertex = this->At(start);
+    Region         region{ { start }, 1 };
+    KeySet         found;
+    VoxelIndex     least = start;
+    VoxelIndex     most = start;
     for (std::size_t i = 0; i < region.voxels.size(); ++i)
     {
+      if (!IsWithin(m_Volume, region.voxels[i]) || region.boxSize > limit)
+      {
+        region.boxSize = Region::Unbounded;
+        return region;
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        least[axis] = std::min(least[axis], region.voxels[i][axis]);
+        most[axis] = std::max(most[axis], region.voxels[i][axis]);
+      }
+      region.boxSize = std::int64_t{ most[0] - least[0] + 1 } * (most[1] - least[1] + 1) * (most[2] - least[2] + 1);
       for (const VoxelIndex & step : KuhnSteps())
       {
         const VoxelIndex next = region.voxels[i] + step;
-        if (this->At(next) != vertex)
-        {
-          continue;
-        }
-        if (!IsWithin(m_Volume, next) || static_cast<std::int64_t>(region.voxels.size()) > limit)
-        {
-          return region;
-        }
-        if (found.insert(static_cast<std::int64_t>(OffsetOf(m_Volume, next))).second)
+        if (next != start && this->At(next) == vertex && found.Insert(KeyOfVoxel(m_Volume, next)))
         {
           region.voxels.push_back(next);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            least[axis] = std::min(least[axis], next[axis]);
-            most[axis] = std::max(most[axis], next[axis]);
-          }
         }
       }
-    }
-    region.boxSize = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      region.boxSize *= most[axis] - least[axis] + 1;
     }
     return region;
   }
@@ -250,11 +276,10 @@ private:
   std::vector<VoxelIndex>
   FindLayer(const Surfaces & surfaces) const
   {
-    std::vector<VoxelIndex>          layer;
-    std::unordered_set<std::int64_t> found;
-    const auto                       add = [&](const VoxelIndex & p) {
-      if (IsWithin(m_Volume, p) && this->At(p) == ExteriorVertex &&
-          found.insert(static_cast<std::int64_t>(OffsetOf(m_Volume, p))).second)
+    std::vector<VoxelIndex> layer;
+    KeySet                  found;
+    const auto              add = [&](const VoxelIndex & p) {
+      if (IsWithin(m_Volume, p) && this->At(p) == ExteriorVertex && found.Insert(KeyOfVoxel(m_Volume, p)))
       {
         layer.push_back(p);
       }
@@ -331,7 +356,7 @@ private:
 } // namespace
 
 LabelDivision
-DivideLabels(const LabelVolume & volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts)
+DivideLabels(LabelVolume volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts)
 {
   KuhnWallSearch        search(volume);
   std::vector<KuhnEdge> faulty;
@@ -343,7 +368,7 @@ DivideLabels(const LabelVolume & volume, VertexId numberOfVertices, const std::v
       faulty.push_back(start);
     }
   }
-  return faulty.empty() ? LabelDivision() : Division(volume, numberOfVertices, std::move(faulty)).Run();
+  return faulty.empty() ? LabelDivision() : Division(std::move(volume), numberOfVertices, std::move(faulty)).Run();
 }
 
 std::vector<KuhnEdge>

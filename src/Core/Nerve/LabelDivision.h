@@ -23,8 +23,8 @@ struct DividedCell
 /** \brief A label image whose cells are divided where their walls need corners. */
 struct LabelDivision
 {
-  /** With some exterior around what it was, in the same place of physical space. Without voxels where nothing was to be
-   * divided. */
+  /** In the same place of physical space, but with exterior around it where it had not enough; without voxels where
+   * nothing was to be divided. */
   LabelVolume volume;
   /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
   std::vector<VertexId> realOf;
@@ -53,7 +53,7 @@ struct LabelDivision
  *
  * \param starts an edge of the Kuhn subdivision across each wall that may be no disk; others are not looked at. */
 LabelDivision
-DivideLabels(const LabelVolume & volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts);
+DivideLabels(LabelVolume volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts);
 
 /** An edge across each wall of two cells that have another number of walls in the nerve than in the image. */
 std::vector<KuhnEdge>
