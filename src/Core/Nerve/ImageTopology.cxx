@@ -9,7 +9,6 @@
 #include "Nerve/VertexLinks.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace tissue
 {
@@ -40,7 +39,7 @@ FindUnsoundCells(const GeneralComplex & complex, const TissuePlaces & places)
 
 /** Puts the nerve of the divided image in the place of the image's, and the places of both. */
 void
-TakeDivision(LabelDivision division, ImageTopology & topology, const Execution & execution)
+TakeDivision(const LabelDivision & division, ImageTopology & topology, const Execution & execution)
 {
   const std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(division.volume, execution);
   topology.places = { FindImageWalls(division.volume, execution), FindCornerPlaces(division.volume, blocks) };
@@ -54,8 +53,28 @@ TakeDivision(LabelDivision division, ImageTopology & topology, const Execution &
     }
   }
   topology.nerve.complex.SetOutside(std::move(outside));
-  topology.realOf = std::move(division.realOf);
-  topology.divided = std::move(division.cells);
+}
+
+/** Divides what walls of the image need it, then the cells that are split all the same: around several others. */
+void
+DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageTopology & topology,
+                  const Execution & execution)
+{
+  if (Divide(division, std::move(faulty), {}))
+  {
+    TakeDivision(division, topology, execution);
+  }
+  // Of a cell around others that is around others each pass divides one more.
+  constexpr int maximumNumberOfPasses = 3;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  {
+    auto split = FindSplitCells(division.volume, topology.places.walls, topology.nerve.complex);
+    if (split.empty() || !Divide(division, {}, std::move(split)))
+    {
+      return;
+    }
+    TakeDivision(division, topology, execution);
+  }
 }
 
 /** Finds the fragments, the places and the nerve. */
@@ -81,16 +100,16 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     blocks = FindCrowdedBlocks(*image, execution);
   }
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
-  topology.realOf.resize(static_cast<std::size_t>(topology.fragments.numberOfVertices));
-  std::iota(topology.realOf.begin(), topology.realOf.end(), ExteriorVertex);
   execution.Report(0.6);
-  LabelDivision division = DivideLabels(*image,
-                                        topology.fragments.numberOfVertices,
-                                        FindDoubtfulWalls(*image, topology.places.walls, topology.nerve.complex));
-  if (!division.cells.empty())
+  auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
+  LabelDivision division({}, topology.fragments.numberOfVertices);
+  if (!faulty.empty() || !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
   {
-    TakeDivision(std::move(division), topology, execution);
+    division.volume = image == &copy ? std::move(copy) : volume;
+    DivideWhereNeeded(division, std::move(faulty), topology, execution);
   }
+  topology.divided = division.FindDividedCells();
+  topology.realOf = std::move(division.realOf);
   execution.Report(0.7);
 }
 } // namespace
