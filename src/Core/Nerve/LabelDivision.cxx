@@ -7,10 +7,13 @@
 #include "Nerve/LabelDivision.h"
 
 #include "Nerve/GeodesicSeeds.h"
+#include "Nerve/VertexLinks.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 
 namespace tissue
 {
@@ -22,30 +25,33 @@ constexpr int LayerSteps = 2;
 constexpr std::int32_t Padding = LayerSteps + 1;
 constexpr int          MaximumNumberOfRounds = 6;
 
-/** Whether all voxels that are less than Padding steps from the outside are exterior. */
+/** Whether a layer around one of the walls may reach out of the image. */
 bool
-HasPadding(const LabelVolume & volume)
+AreNearBorder(const LabelVolume & volume, const std::vector<KuhnEdge> & walls)
 {
-  const auto isNearEnd = [](std::int32_t i, std::int32_t size) { return i < Padding || i >= size - Padding; };
-  for (std::int32_t z = 0; z < volume.size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < volume.size[1]; ++y)
+  const auto isNear = [&](const VoxelIndex & p) {
+    bool isNearAny = false;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const bool isWholeRow = isNearEnd(z, volume.size[2]) || isNearEnd(y, volume.size[1]);
-      for (std::int32_t x = 0; x < volume.size[0]; ++x)
-      {
-        if (!isWholeRow && x == Padding)
-        {
-          x = std::max(x, volume.size[0] - Padding);
-        }
-        if (x < volume.size[0] && volume.At(x, y, z) != ExteriorVertex)
-        {
-          return false;
-        }
-      }
+      isNearAny = isNearAny || p[axis] < Padding || p[axis] >= volume.size[axis] - Padding;
     }
+    return isNearAny;
+  };
+  KuhnWallSearch search(volume);
+  return std::any_of(walls.begin(), walls.end(), [&](const KuhnEdge & start) {
+    const auto wall = search.Find(start);
+    return wall && std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear);
+  });
+}
+
+void
+Shift(std::vector<KuhnEdge> & edges)
+{
+  const VoxelIndex shift{ { Padding, Padding, Padding } };
+  for (KuhnEdge & edge : edges)
+  {
+    edge = { edge.first + shift, edge.second + shift };
   }
-  return true;
 }
 
 LabelVolume
@@ -92,50 +98,45 @@ struct Region
   std::int64_t boxSize;
 };
 
+/** In ascending order, so that nothing hangs on the order of a flood. */
+std::vector<VoxelIndex>
+EachOnce(std::vector<VoxelIndex> voxels)
+{
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
+}
+
+/** \brief The rounds of Divide(). */
 class Division
 {
 public:
-  Division(LabelVolume volume, VertexId numberOfVertices, std::vector<KuhnEdge> starts)
-    : m_Volume(std::move(volume))
-    , m_Starts(std::move(starts))
-  {
-    if (!HasPadding(m_Volume))
-    {
-      m_Volume = Pad(m_Volume);
-      const VoxelIndex shift{ { Padding, Padding, Padding } };
-      std::transform(m_Starts.begin(), m_Starts.end(), m_Starts.begin(), [&](const KuhnEdge & start) {
-        return KuhnEdge{ start.first + shift, start.second + shift };
-      });
-    }
-    for (VertexId v = 0; v < numberOfVertices; ++v)
-    {
-      m_RealOf.push_back(v);
-    }
-  }
+  explicit Division(LabelDivision & division)
+    : m_Volume(division.volume)
+    , m_RealOf(division.realOf)
+  {}
 
-  LabelDivision
-  Run()
+  void
+  Run(std::vector<KuhnEdge> starts, const std::vector<SplitCell> & split)
   {
-    for (int round = 0; round < MaximumNumberOfRounds && !m_Starts.empty(); ++round)
+    std::map<VertexId, Surfaces> ofVertex;
+    for (const SplitCell & cell : split)
     {
-      this->RunRound();
+      this->AppendSurface(cell, ofVertex[cell.cell]);
     }
-    LabelDivision                    result;
-    std::map<VertexId, std::int32_t> pieces;
-    for (std::size_t v = 0; v < m_RealOf.size(); ++v)
+    m_Starts = std::move(starts);
+    this->AppendFaulty(ofVertex);
+    for (int round = 0; round < MaximumNumberOfRounds && !ofVertex.empty(); ++round)
     {
-      ++pieces[m_RealOf[v]];
-    }
-    for (const auto & [cell, count] : pieces)
-    {
-      if (count > 1)
+      m_Starts.clear();
+      for (const auto & [vertex, surfaces] : ofVertex)
       {
-        result.cells.push_back({ cell, count });
+        this->DivideVertex(vertex, surfaces);
       }
+      m_Regions.clear();
+      ofVertex.clear();
+      this->AppendFaulty(ofVertex);
     }
-    result.volume = std::move(m_Volume);
-    result.realOf = std::move(m_RealOf);
-    return result;
   }
 
 private:
@@ -154,12 +155,29 @@ private:
     return m_RealOf[static_cast<std::size_t>(v)] == ExteriorVertex;
   }
 
+  /** All walls of the cell that are within it, as one surface. */
   void
-  RunRound()
+  AppendSurface(const SplitCell & cell, Surfaces & surfaces)
   {
-    std::map<VertexId, Surfaces> ofVertex;
-    KuhnWallSearch               search(m_Volume);
-    m_Regions.clear();
+    KuhnWallSearch          search(m_Volume);
+    std::vector<VoxelIndex> voxels;
+    for (const KuhnEdge & start : cell.walls)
+    {
+      const auto wall = search.Find(start);
+      if (wall)
+      {
+        const auto & ofCell = wall->voxels[wall->cells[0] == cell.cell ? 0 : 1];
+        voxels.insert(voxels.end(), ofCell.begin(), ofCell.end());
+      }
+    }
+    surfaces.push_back(EachOnce(std::move(voxels)));
+  }
+
+  /** The faulty ones of the walls to be looked at, by the vertex that is to be divided. */
+  void
+  AppendFaulty(std::map<VertexId, Surfaces> & ofVertex)
+  {
+    KuhnWallSearch search(m_Volume);
     for (std::size_t i = 0; i < m_Starts.size(); ++i)
     {
       const KuhnEdge start = m_Starts[i];
@@ -180,13 +198,8 @@ private:
       if (!this->IsForThird(*wall))
       {
         const int larger = this->FindLarger(start.first, start.second);
-        ofVertex[wall->cells[larger]].push_back(std::move(wall->voxels[larger]));
+        ofVertex[wall->cells[larger]].push_back(EachOnce(std::move(wall->voxels[larger])));
       }
-    }
-    m_Starts.clear();
-    for (const auto & [vertex, surfaces] : ofVertex)
-    {
-      this->Divide(vertex, surfaces);
     }
   }
 
@@ -304,7 +317,7 @@ private:
   }
 
   void
-  Divide(VertexId vertex, const Surfaces & surfaces)
+  DivideVertex(VertexId vertex, const Surfaces & surfaces)
   {
     GeodesicSeeds seeds(m_Volume,
                         vertex == ExteriorVertex ? this->FindLayer(surfaces)
@@ -347,32 +360,59 @@ private:
     }
   }
 
-  LabelVolume           m_Volume;
-  std::vector<KuhnEdge> m_Starts;
-  std::vector<VertexId> m_RealOf;
+  LabelVolume &           m_Volume;
+  std::vector<VertexId> & m_RealOf;
+  std::vector<KuhnEdge>   m_Starts;
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
 } // namespace
 
-LabelDivision
-DivideLabels(LabelVolume volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts)
+LabelDivision::LabelDivision(LabelVolume undivided, VertexId numberOfVertices)
+  : volume(std::move(undivided))
+  , realOf(static_cast<std::size_t>(numberOfVertices))
 {
-  KuhnWallSearch        search(volume);
-  std::vector<KuhnEdge> faulty;
-  for (const KuhnEdge & start : starts)
+  std::iota(realOf.begin(), realOf.end(), ExteriorVertex);
+}
+
+std::vector<DividedCell>
+LabelDivision::FindDividedCells() const
+{
+  std::map<VertexId, std::int32_t> pieces;
+  for (const VertexId cell : realOf)
   {
-    const auto wall = search.Find(start);
-    if (wall && !wall->IsSound())
+    ++pieces[cell];
+  }
+  std::vector<DividedCell> cells;
+  for (const auto & [cell, count] : pieces)
+  {
+    if (count > 1)
     {
-      faulty.push_back(start);
+      cells.push_back({ cell, count });
     }
   }
-  return faulty.empty() ? LabelDivision() : Division(std::move(volume), numberOfVertices, std::move(faulty)).Run();
+  return cells;
+}
+
+bool
+Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
+{
+  if (AreNearBorder(division.volume, faulty))
+  {
+    division.volume = Pad(division.volume);
+    Shift(faulty);
+    for (SplitCell & cell : split)
+    {
+      Shift(cell.walls);
+    }
+  }
+  const VertexId before = division.NumberOfVertices();
+  Division(division).Run(std::move(faulty), split);
+  return division.NumberOfVertices() > before;
 }
 
 std::vector<KuhnEdge>
-FindDoubtfulWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
+FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
   std::map<VertexPair, int> balance;
   for (const GeneralComplex::Edge & edge : nerve.FindEdges())
@@ -384,15 +424,78 @@ FindDoubtfulWalls(const LabelVolume & volume, const std::vector<ImageWall> & wal
     --balance[wall.cells];
   }
   const auto            at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
-  std::vector<KuhnEdge> starts;
+  KuhnWallSearch        search(volume);
+  std::vector<KuhnEdge> faulty;
   for (const ImageWall & wall : walls)
   {
     // Small fragments have other cells by now.
     if (balance[wall.cells] != 0 && at(wall.face[0]) != at(wall.face[1]))
     {
-      starts.push_back({ wall.face[0], wall.face[1] });
+      const auto found = search.Find({ wall.face[0], wall.face[1] });
+      if (found && !found->IsSound())
+      {
+        faulty.push_back(found->start);
+      }
     }
   }
-  return starts;
+  return faulty;
+}
+
+std::vector<SplitCell>
+FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
+{
+  const VertexLinks                      links = FindVertexLinks(nerve);
+  std::map<VertexId, std::size_t>        largest;
+  std::map<VertexId, std::set<VertexId>> around;
+  std::map<VertexId, std::set<VertexId>> within;
+  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
+  {
+    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
+    {
+      const auto first = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
+      const auto most =
+        std::max_element(first,
+                         first + static_cast<std::ptrdiff_t>(links.NumberOfLinks(v)),
+                         [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
+      largest.emplace(v, static_cast<std::size_t>(most - links.links.begin()));
+    }
+  }
+  if (largest.empty())
+  {
+    return {};
+  }
+  for (const GeneralComplex::Edge & edge : nerve.FindEdges())
+  {
+    const LocalEdge & local = edge.local;
+    for (const auto & [end, at] : { std::pair{ 0, local.from }, std::pair{ 1, local.to } })
+    {
+      const auto found = largest.find(edge.vertices[end]);
+      if (found != largest.end())
+      {
+        const bool isLargest = static_cast<std::size_t>(links.linkOf[local.tetrahedron][at]) == found->second;
+        (isLargest ? around : within)[found->first].insert(edge.vertices[1 - end]);
+      }
+    }
+  }
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  const auto                                at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
+  for (const ImageWall & wall : walls)
+  {
+    for (const int i : { 0, 1 })
+    {
+      const VertexId cell = wall.cells[i];
+      const VertexId other = wall.cells[1 - i];
+      if (within[cell].count(other) != 0 && around[cell].count(other) == 0 && at(wall.face[0]) != at(wall.face[1]))
+      {
+        ofCell[cell].push_back({ wall.face[0], wall.face[1] });
+      }
+    }
+  }
+  std::vector<SplitCell> split;
+  for (auto & [cell, edges] : ofCell)
+  {
+    split.push_back({ cell, std::move(edges) });
+  }
+  return split;
 }
 } // namespace tissue

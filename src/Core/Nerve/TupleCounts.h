@@ -79,11 +79,23 @@ private:
     }
     const std::size_t mask = m_Slots.size() - 1;
     std::size_t       slot = hash & mask;
-    while (m_Slots[slot] >= 0 && m_Entries[static_cast<std::size_t>(m_Slots[slot])].key != key)
+    while (m_Slots[slot] >= 0 && !AreEqual(m_Entries[static_cast<std::size_t>(m_Slots[slot])].key, key))
     {
       slot = (slot + 1) & mask;
     }
     return slot;
+  }
+
+  /** As by ==, which compilers make a call of that costs more than the comparison. */
+  static bool
+  AreEqual(const Key & a, const Key & b)
+  {
+    VertexId difference = 0;
+    for (std::size_t i = 0; i < VLength; ++i)
+    {
+      difference |= a[i] ^ b[i];
+    }
+    return difference == 0;
   }
 
   void
