@@ -215,6 +215,28 @@ TEST(PointSetToTissueLabelImageFilter, RefusesPointsThatMakeNoTissue)
             std::string::npos);
 }
 
+TEST(PointSetToTissueLabelImageFilter, FindsLayersUnlessToldOtherwise)
+{
+  std::vector<tissue::Point> points;
+  for (int i = 0; i < 25; ++i)
+  {
+    points.push_back({ { 2.0 * (i % 5), 2.0 * (i / 5), 0.1 * (i % 3) } });
+  }
+  const auto filter = FilterType::New();
+  filter->SetInput(MakePoints(points));
+  filter->SetVoxelsPerCell(500);
+  EXPECT_EQ(filter->GetLayer(), FilterType::LayerEnum::Automatic);
+  filter->Update();
+  EXPECT_TRUE(filter->GetVotes().empty());
+  EXPECT_EQ(MeasureShapes(filter->GetOutput())->GetNumberOfLabelObjects(), points.size());
+  filter->SetLayer(FilterType::LayerEnum::Off);
+  filter->Update();
+  EXPECT_FALSE(filter->GetVotes().empty());
+  filter->SetLayer(FilterType::LayerEnum::On);
+  filter->Update();
+  EXPECT_TRUE(filter->GetVotes().empty());
+}
+
 TEST(PointSetToTissueLabelImageFilter, RefusesMorePointsThanLabels)
 {
   using SmallType = itk::Image<std::uint8_t, 3>;

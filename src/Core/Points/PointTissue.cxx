@@ -9,6 +9,7 @@
 #include "Common/Algorithms.h"
 #include "Complex/LocalSpacing.h"
 #include "Geometry/NearestPoints.h"
+#include "Points/PartialWalls.h"
 #include "Points/TissueLayer.h"
 #include "Points/TissueSurface.h"
 #include "Points/TissueVotes.h"
@@ -304,6 +305,8 @@ EstimateLayer(const TissueLayer & layer, const std::vector<Point> & points, cons
   execution.Report(0.9);
   PointTissue tissue;
   tissue.labels = LabelGrid(seeds, samples, offsets, grid, execution);
+  RemovePartialWalls(
+    tissue.labels, grid, 0.5 * layer.Thickness() / *std::max_element(grid.steps.begin(), grid.steps.end()));
   PlantLostCells(tissue.labels, grid, points);
   execution.Report(1.0);
   return tissue;

@@ -322,6 +322,12 @@ TissueLayer::MakeMask(const TissueGrid & grid, const Execution & execution) cons
   return mask;
 }
 
+double
+TissueLayer::Thickness() const
+{
+  return Median(m_Spacings);
+}
+
 TissueSamples
 TissueLayer::Flatten(TissueSamples samples, const Execution & execution) const
 {

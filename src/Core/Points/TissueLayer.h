@@ -44,6 +44,10 @@ public:
   TissueSamples
   Flatten(TissueSamples samples, const Execution & execution = Execution()) const;
 
+  /** The median thickness of the layer, which is the median width of its cells. */
+  double
+  Thickness() const;
+
 private:
   /** Where a position is with regard to the layer: how far above its middle, along the normal there, and how thick one
    * half of the layer is. */

@@ -128,21 +128,20 @@ TEST(TissueLayer, EndsHalfACellAboveBelowAndBesidePoints)
 
 TEST(TissueLayer, ShellsEncloseExterior)
 {
-  for (const int n : { 30, 50, 150 })
+  for (const std::size_t n : { 30, 50, 150 })
   {
-    const std::vector<Point> points = Shell(n);
+    const std::vector<Point> points = Shell(static_cast<int>(n));
     const TissueGrid         grid = MakePointGrid(points, PaddedBox(points), 3000);
     const PointTissue        tissue = EstimateTissue(points, grid);
     EXPECT_TRUE(tissue.votes.empty());
     EXPECT_EQ(tissue.labels[grid.OffsetAt({ { 0, 0, 0 } })], 0) << n;
     const LayerCells found = FindCells(tissue, grid);
     EXPECT_EQ(found.cells.size(), points.size());
-    // By Euler's formula where three cells meet at most; some meet by four as far as the grid shows.
-    EXPECT_NEAR(static_cast<double>(found.pairs.size()), 3.0 * n - 6.0, 0.05 * n);
+    EXPECT_EQ(found.pairs.size(), 3u * n - 6u) << "by Euler's formula: three cells meet everywhere";
     for (const auto & [a, b] : found.pairs)
     {
       EXPECT_LT(Distance(points[static_cast<std::size_t>(a - 1)], points[static_cast<std::size_t>(b - 1)]),
-                2.0 * std::sqrt(4.0 * std::acos(-1.0) / n));
+                2.0 * std::sqrt(4.0 * std::acos(-1.0) / static_cast<double>(n)));
     }
   }
 }
