@@ -43,6 +43,14 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->capture_default_str()
     ->group(group);
   app
+    .add_option("--layer",
+                options.centers.layer,
+                "Whether the tissue is one layer of cells, a sheet or a shell; auto: where the points show it")
+    ->check(CLI::IsMember({ "auto", "on", "off" }))
+    ->type_name("{auto,on,off}")
+    ->capture_default_str()
+    ->group(group);
+  app
     .add_option(
       "--membrane", options.membrane.file, "Image of bright cell membranes, which is segmented from the points")
     ->type_name("FILE")
@@ -105,6 +113,7 @@ ToJson(const NucleiTessellationOptions & options)
   }
   json["box"] = centers.box;
   json["voxelsPerCell"] = centers.voxelsPerCell;
+  json["layer"] = centers.layer;
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);

@@ -139,7 +139,7 @@ private:
     {
       cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
     }
-    // At the best all diagonals and all tetrahedra over the ring are wanted.
+    // At the best all diagonals and all tetrahedra over the ring are wanted, and a wanted one gains 1 at most.
     const auto n = static_cast<double>(ring.size());
     if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= NoDifference)
     {
@@ -284,7 +284,14 @@ PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
         const Execution & execution)
 {
-  PlaceEnergy        energy(places, preferences, complex);
+  return Descend(complex, places, preferences, {}, execution);
+}
+
+PlaceDescentResult
+Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
+        const std::vector<JunctionVote> & votes, const Execution & execution)
+{
+  PlaceEnergy        energy(places, preferences, complex, votes);
   PlaceDescentResult result;
   result.energyBefore = energy.Total();
   Descent descent(complex, energy);
