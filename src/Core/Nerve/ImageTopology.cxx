@@ -168,8 +168,8 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
     visit(topology);
   }
   topology.repairs = Repair(topology.nerve, topology.places);
-  topology.descent =
-    Descend(topology.nerve.complex, topology.places, parameters.preferences, execution.Part(0.75, 1.0));
+  topology.descent = Descend(
+    topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
   topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
   topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
   return topology;
