@@ -366,6 +366,95 @@ private:
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
+/** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
+ * the same two cells near it. */
+std::vector<KuhnEdge>
+StartsOf(const LabelVolume & volume, const ImageWall & wall)
+{
+  constexpr std::int32_t reach = 4; // small fragments of few voxels
+  const auto             isAcross = [&](const VoxelIndex & p, const VoxelIndex & q) {
+    const VertexId a = volume.At(p[0], p[1], p[2]);
+    const VertexId b = volume.At(q[0], q[1], q[2]);
+    return std::minmax(a, b) == std::minmax(wall.cells[0], wall.cells[1]);
+  };
+  if (isAcross(wall.face[0], wall.face[1]))
+  {
+    return { { wall.face[0], wall.face[1] } };
+  }
+  std::vector<KuhnEdge> starts;
+  const VoxelIndex &    f = wall.face[0];
+  for (std::int32_t z = std::max(-1, f[2] - reach); z < std::min(volume.size[2], f[2] + reach); ++z)
+  {
+    for (std::int32_t y = std::max(-1, f[1] - reach); y < std::min(volume.size[1], f[1] + reach); ++y)
+    {
+      for (std::int32_t x = std::max(-1, f[0] - reach); x < std::min(volume.size[0], f[0] + reach); ++x)
+      {
+        const VoxelIndex p{ { x, y, z } };
+        for (const int set : { 1, 2, 4 })
+        {
+          const VoxelIndex q = p + KuhnSteps()[set - 1];
+          if (isAcross(p, q))
+          {
+            starts.push_back({ p, q });
+          }
+        }
+      }
+    }
+  }
+  return starts;
+}
+/** Of each cell that has several links the index of the largest one. */
+std::map<VertexId, std::int32_t>
+FindLargestLinks(const GeneralComplex & nerve, const VertexLinks & links)
+{
+  std::map<VertexId, std::int32_t> largest;
+  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
+  {
+    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
+    {
+      const auto begin = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
+      const auto end = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v + 1]);
+      const auto most = std::max_element(
+        begin, end, [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
+      largest.emplace(v, static_cast<std::int32_t>(most - links.links.begin()));
+    }
+  }
+  return largest;
+}
+
+/** Of each cell that has several links the neighbours that are not in the largest one. */
+std::map<VertexId, std::set<VertexId>>
+FindNeighborsWithin(const GeneralComplex & nerve)
+{
+  const VertexLinks                      links = FindVertexLinks(nerve);
+  const auto                             largest = FindLargestLinks(nerve, links);
+  std::map<VertexId, std::set<VertexId>> within;
+  std::set<VertexPair>                   around;
+  for (TetrahedronId id = 0; !largest.empty() && id < nerve.TetrahedronIdBound(); ++id)
+  {
+    const VertexQuadruple & t = nerve.GetTetrahedron(id).vertices;
+    for (int i = 0; nerve.IsAlive(id) && i < 4; ++i)
+    {
+      const auto found = largest.find(t[i]);
+      for (int j = 0; found != largest.end() && j < 4; ++j)
+      {
+        if (links.linkOf[id][i] == found->second)
+        {
+          around.insert({ { t[i], t[j] } });
+        }
+        else if (j != i)
+        {
+          within[t[i]].insert(t[j]);
+        }
+      }
+    }
+  }
+  for (const VertexPair & pair : around)
+  {
+    within[pair[0]].erase(pair[1]);
+  }
+  return within;
+}
 } // namespace
 
 LabelDivision::LabelDivision(LabelVolume undivided, VertexId numberOfVertices)
@@ -423,18 +512,20 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
   {
     --balance[wall.cells];
   }
-  const auto            at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
   KuhnWallSearch        search(volume);
   std::vector<KuhnEdge> faulty;
   for (const ImageWall & wall : walls)
   {
-    // Small fragments have other cells by now.
-    if (balance[wall.cells] != 0 && at(wall.face[0]) != at(wall.face[1]))
+    if (balance[wall.cells] == 0)
     {
-      const auto found = search.Find({ wall.face[0], wall.face[1] });
+      continue;
+    }
+    for (const KuhnEdge & start : StartsOf(volume, wall))
+    {
+      const auto found = search.Find(start);
       if (found && !found->IsSound())
       {
-        faulty.push_back(found->start);
+        faulty.push_back(start);
       }
     }
   }
@@ -444,57 +535,26 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
 std::vector<SplitCell>
 FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
-  const VertexLinks                      links = FindVertexLinks(nerve);
-  std::map<VertexId, std::size_t>        largest;
-  std::map<VertexId, std::set<VertexId>> around;
-  std::map<VertexId, std::set<VertexId>> within;
-  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
-  {
-    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
-    {
-      const auto first = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
-      const auto most =
-        std::max_element(first,
-                         first + static_cast<std::ptrdiff_t>(links.NumberOfLinks(v)),
-                         [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
-      largest.emplace(v, static_cast<std::size_t>(most - links.links.begin()));
-    }
-  }
-  if (largest.empty())
-  {
-    return {};
-  }
-  for (const GeneralComplex::Edge & edge : nerve.FindEdges())
-  {
-    const LocalEdge & local = edge.local;
-    for (const auto & [end, at] : { std::pair{ 0, local.from }, std::pair{ 1, local.to } })
-    {
-      const auto found = largest.find(edge.vertices[end]);
-      if (found != largest.end())
-      {
-        const bool isLargest = static_cast<std::size_t>(links.linkOf[local.tetrahedron][at]) == found->second;
-        (isLargest ? around : within)[found->first].insert(edge.vertices[1 - end]);
-      }
-    }
-  }
+  const auto                                within = FindNeighborsWithin(nerve);
   std::map<VertexId, std::vector<KuhnEdge>> ofCell;
-  const auto                                at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
-  for (const ImageWall & wall : walls)
+  for (std::size_t i = 0; !within.empty() && i < 2 * walls.size(); ++i)
   {
-    for (const int i : { 0, 1 })
+    const ImageWall & wall = walls[i / 2];
+    const VertexId    cell = wall.cells[i % 2];
+    const auto        found = within.find(cell);
+    if (found != within.end() && found->second.count(wall.cells[1 - i % 2]) != 0)
     {
-      const VertexId cell = wall.cells[i];
-      const VertexId other = wall.cells[1 - i];
-      if (within[cell].count(other) != 0 && around[cell].count(other) == 0 && at(wall.face[0]) != at(wall.face[1]))
-      {
-        ofCell[cell].push_back({ wall.face[0], wall.face[1] });
-      }
+      const auto starts = StartsOf(volume, wall);
+      ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
   std::vector<SplitCell> split;
   for (auto & [cell, edges] : ofCell)
   {
-    split.push_back({ cell, std::move(edges) });
+    if (!edges.empty())
+    {
+      split.push_back({ cell, std::move(edges) });
+    }
   }
   return split;
 }
