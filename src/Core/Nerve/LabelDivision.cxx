@@ -10,6 +10,7 @@
 #include "Nerve/VertexLinks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -95,7 +96,7 @@ struct Region
 
   std::vector<VoxelIndex> voxels;
   /** Voxels of the box around it. */
-  std::int64_t boxSize;
+  std::int64_t boxSize = 0;
 };
 
 /** In ascending order, so that nothing hangs on the order of a flood. */
@@ -140,8 +141,14 @@ public:
   }
 
 private:
-  /** What of a vertex is to be divided: the voxels at the side of each faulty wall. */
-  using Surfaces = std::vector<std::vector<VoxelIndex>>;
+  /** Where a vertex is to be divided: its voxels at a faulty wall. */
+  struct Surface
+  {
+    std::vector<VoxelIndex> voxels;
+    /** Around what is within the vertex, so that all of it is to be divided. */
+    bool isAround;
+  };
+  using Surfaces = std::vector<Surface>;
 
   VertexId
   At(const VoxelIndex & p) const
@@ -170,7 +177,7 @@ private:
         voxels.insert(voxels.end(), ofCell.begin(), ofCell.end());
       }
     }
-    surfaces.push_back(EachOnce(std::move(voxels)));
+    surfaces.push_back({ EachOnce(std::move(voxels)), true });
   }
 
   /** The faulty ones of the walls to be looked at, by the vertex that is to be divided. */
@@ -197,8 +204,9 @@ private:
       }
       if (!this->IsForThird(*wall))
       {
-        const int larger = this->FindLarger(start.first, start.second);
-        ofVertex[wall->cells[larger]].push_back(EachOnce(std::move(wall->voxels[larger])));
+        const int  larger = this->FindLarger(start.first, start.second);
+        const bool isClosed = wall->numberOfCircles == 0 && wall->closedLines.empty();
+        ofVertex[wall->cells[larger]].push_back({ EachOnce(std::move(wall->voxels[larger])), isClosed });
       }
     }
   }
@@ -297,9 +305,9 @@ private:
         layer.push_back(p);
       }
     };
-    for (const auto & voxels : surfaces)
+    for (const Surface & surface : surfaces)
     {
-      std::for_each(voxels.begin(), voxels.end(), add);
+      std::for_each(surface.voxels.begin(), surface.voxels.end(), add);
     }
     std::size_t begin = 0;
     for (int step = 0; step < LayerSteps; ++step)
@@ -316,32 +324,98 @@ private:
     return layer;
   }
 
+  /** What of a cell is at the surfaces: as far from each as that is wide, so that what is left has no layer around a
+   * hole; the whole cell where one is around something. */
+  std::vector<VoxelIndex>
+  FindNeighborhood(const std::vector<VoxelIndex> & cell, const Surfaces & surfaces) const
+  {
+    if (std::any_of(surfaces.begin(), surfaces.end(), [](const Surface & surface) { return surface.isAround; }))
+    {
+      return cell;
+    }
+    std::vector<std::pair<VoxelIndex, VoxelIndex>> boxes;
+    for (const Surface & surface : surfaces)
+    {
+      VoxelIndex least = surface.voxels.front();
+      VoxelIndex most = least;
+      for (const VoxelIndex & p : surface.voxels)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          least[axis] = std::min(least[axis], p[axis]);
+          most[axis] = std::max(most[axis], p[axis]);
+        }
+      }
+      const std::int32_t width = LayerSteps + std::max({ most[0] - least[0], most[1] - least[1], most[2] - least[2] });
+      boxes.push_back(
+        { least + VoxelIndex{ { -width, -width, -width } }, most + VoxelIndex{ { width, width, width } } });
+    }
+    const auto isIn = [](const VoxelIndex & p, const std::pair<VoxelIndex, VoxelIndex> & box) {
+      return p[0] >= box.first[0] && p[1] >= box.first[1] && p[2] >= box.first[2] && p[0] <= box.second[0] &&
+             p[1] <= box.second[1] && p[2] <= box.second[2];
+    };
+    std::vector<VoxelIndex> region;
+    std::copy_if(cell.begin(), cell.end(), std::back_inserter(region), [&](const VoxelIndex & p) {
+      return std::any_of(boxes.begin(), boxes.end(), [&](const auto & box) { return isIn(p, box); });
+    });
+    return region;
+  }
+
   void
   DivideVertex(VertexId vertex, const Surfaces & surfaces)
   {
-    GeodesicSeeds seeds(m_Volume,
-                        vertex == ExteriorVertex ? this->FindLayer(surfaces)
-                                                 : this->RegionOf(vertex, surfaces.front().front()).voxels);
-    for (const auto & surface : surfaces)
+    const bool    isExterior = vertex == ExteriorVertex;
+    const Region  none;
+    const auto &  cell = isExterior ? none.voxels : this->RegionOf(vertex, surfaces.front().voxels.front()).voxels;
+    GeodesicSeeds seeds(m_Volume, isExterior ? this->FindLayer(surfaces) : this->FindNeighborhood(cell, surfaces));
+    for (const Surface & surface : surfaces)
     {
-      seeds.Cover(surface);
+      seeds.Cover(surface.voxels);
     }
-    // The first piece of a cell keeps its vertex; the exterior keeps what is not in the layer.
-    const VertexId first = static_cast<VertexId>(m_RealOf.size()) - (vertex == ExteriorVertex ? 0 : 1);
-    m_RealOf.resize(static_cast<std::size_t>(first + seeds.NumberOfSeeds()),
-                    m_RealOf[static_cast<std::size_t>(vertex)]);
     const auto & region = seeds.GetRegion();
+    const auto   first = static_cast<VertexId>(m_RealOf.size());
     for (std::size_t i = 0; i < region.size(); ++i)
     {
-      if (vertex == ExteriorVertex || seeds.SeedOf(i) > 0)
+      if (seeds.SeedOf(i) != GeodesicSeeds::None)
       {
         m_Volume.vertices[OffsetOf(m_Volume, region[i])] = first + seeds.SeedOf(i);
       }
     }
+    m_RealOf.resize(m_RealOf.size() + static_cast<std::size_t>(seeds.NumberOfSeeds()),
+                    m_RealOf[static_cast<std::size_t>(vertex)]);
+    this->NumberRest(vertex, cell);
     if (seeds.NumberOfSeeds() > 1)
     {
       this->AppendStarts(region);
     }
+  }
+
+  /** What is left of a cell keeps its vertex if it is one piece; other pieces become vertices of their own. */
+  void
+  NumberRest(VertexId vertex, const std::vector<VoxelIndex> & cell)
+  {
+    for (const VoxelIndex & start : cell)
+    {
+      if (this->At(start) == vertex)
+      {
+        const auto piece = static_cast<VertexId>(m_RealOf.size());
+        m_RealOf.push_back(m_RealOf[static_cast<std::size_t>(vertex)]);
+        for (const VoxelIndex & p : this->Flood(start, Region::Unbounded).voxels)
+        {
+          m_Volume.vertices[OffsetOf(m_Volume, p)] = piece;
+        }
+      }
+    }
+    // The last vertex is the last piece, or a seed's.
+    const VertexId last = static_cast<VertexId>(m_RealOf.size()) - 1;
+    for (const VoxelIndex & p : cell)
+    {
+      if (this->At(p) == last)
+      {
+        m_Volume.vertices[OffsetOf(m_Volume, p)] = vertex;
+      }
+    }
+    m_RealOf.resize(m_RealOf.size() - (cell.empty() ? 0 : 1));
   }
 
   /** Of all walls of the region. */
@@ -366,6 +440,95 @@ private:
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
+/** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
+ * the same two cells near it. */
+std::vector<KuhnEdge>
+StartsOf(const LabelVolume & volume, const ImageWall & wall)
+{
+  constexpr std::int32_t reach = 4; // small fragments of few voxels
+  const auto             isAcross = [&](const VoxelIndex & p, const VoxelIndex & q) {
+    const VertexId a = volume.At(p[0], p[1], p[2]);
+    const VertexId b = volume.At(q[0], q[1], q[2]);
+    return std::minmax(a, b) == std::minmax(wall.cells[0], wall.cells[1]);
+  };
+  if (isAcross(wall.face[0], wall.face[1]))
+  {
+    return { { wall.face[0], wall.face[1] } };
+  }
+  std::vector<KuhnEdge> starts;
+  const VoxelIndex &    f = wall.face[0];
+  for (std::int32_t z = std::max(-1, f[2] - reach); z < std::min(volume.size[2], f[2] + reach); ++z)
+  {
+    for (std::int32_t y = std::max(-1, f[1] - reach); y < std::min(volume.size[1], f[1] + reach); ++y)
+    {
+      for (std::int32_t x = std::max(-1, f[0] - reach); x < std::min(volume.size[0], f[0] + reach); ++x)
+      {
+        const VoxelIndex p{ { x, y, z } };
+        for (const int set : { 1, 2, 4 })
+        {
+          const VoxelIndex q = p + KuhnSteps()[set - 1];
+          if (isAcross(p, q))
+          {
+            starts.push_back({ p, q });
+          }
+        }
+      }
+    }
+  }
+  return starts;
+}
+/** Of each cell that has several links the index of the largest one. */
+std::map<VertexId, std::int32_t>
+FindLargestLinks(const GeneralComplex & nerve, const VertexLinks & links)
+{
+  std::map<VertexId, std::int32_t> largest;
+  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
+  {
+    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
+    {
+      const auto begin = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
+      const auto end = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v + 1]);
+      const auto most = std::max_element(
+        begin, end, [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
+      largest.emplace(v, static_cast<std::int32_t>(most - links.links.begin()));
+    }
+  }
+  return largest;
+}
+
+/** Of each cell that has several links the neighbours that are not in the largest one. */
+std::map<VertexId, std::set<VertexId>>
+FindNeighborsWithin(const GeneralComplex & nerve)
+{
+  const VertexLinks                      links = FindVertexLinks(nerve);
+  const auto                             largest = FindLargestLinks(nerve, links);
+  std::map<VertexId, std::set<VertexId>> within;
+  std::set<VertexPair>                   around;
+  for (TetrahedronId id = 0; !largest.empty() && id < nerve.TetrahedronIdBound(); ++id)
+  {
+    const VertexQuadruple & t = nerve.GetTetrahedron(id).vertices;
+    for (int i = 0; nerve.IsAlive(id) && i < 4; ++i)
+    {
+      const auto found = largest.find(t[i]);
+      for (int j = 0; found != largest.end() && j < 4; ++j)
+      {
+        if (links.linkOf[id][i] == found->second)
+        {
+          around.insert({ { t[i], t[j] } });
+        }
+        else if (j != i)
+        {
+          within[t[i]].insert(t[j]);
+        }
+      }
+    }
+  }
+  for (const VertexPair & pair : around)
+  {
+    within[pair[0]].erase(pair[1]);
+  }
+  return within;
+}
 } // namespace
 
 LabelDivision::LabelDivision(LabelVolume undivided, VertexId numberOfVertices)
@@ -423,18 +586,20 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
   {
     --balance[wall.cells];
   }
-  const auto            at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
   KuhnWallSearch        search(volume);
   std::vector<KuhnEdge> faulty;
   for (const ImageWall & wall : walls)
   {
-    // Small fragments have other cells by now.
-    if (balance[wall.cells] != 0 && at(wall.face[0]) != at(wall.face[1]))
+    if (balance[wall.cells] == 0)
     {
-      const auto found = search.Find({ wall.face[0], wall.face[1] });
+      continue;
+    }
+    for (const KuhnEdge & start : StartsOf(volume, wall))
+    {
+      const auto found = search.Find(start);
       if (found && !found->IsSound())
       {
-        faulty.push_back(found->start);
+        faulty.push_back(start);
       }
     }
   }
@@ -444,57 +609,26 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
 std::vector<SplitCell>
 FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
-  const VertexLinks                      links = FindVertexLinks(nerve);
-  std::map<VertexId, std::size_t>        largest;
-  std::map<VertexId, std::set<VertexId>> around;
-  std::map<VertexId, std::set<VertexId>> within;
-  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
-  {
-    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
-    {
-      const auto first = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
-      const auto most =
-        std::max_element(first,
-                         first + static_cast<std::ptrdiff_t>(links.NumberOfLinks(v)),
-                         [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
-      largest.emplace(v, static_cast<std::size_t>(most - links.links.begin()));
-    }
-  }
-  if (largest.empty())
-  {
-    return {};
-  }
-  for (const GeneralComplex::Edge & edge : nerve.FindEdges())
-  {
-    const LocalEdge & local = edge.local;
-    for (const auto & [end, at] : { std::pair{ 0, local.from }, std::pair{ 1, local.to } })
-    {
-      const auto found = largest.find(edge.vertices[end]);
-      if (found != largest.end())
-      {
-        const bool isLargest = static_cast<std::size_t>(links.linkOf[local.tetrahedron][at]) == found->second;
-        (isLargest ? around : within)[found->first].insert(edge.vertices[1 - end]);
-      }
-    }
-  }
+  const auto                                within = FindNeighborsWithin(nerve);
   std::map<VertexId, std::vector<KuhnEdge>> ofCell;
-  const auto                                at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
-  for (const ImageWall & wall : walls)
+  for (std::size_t i = 0; !within.empty() && i < 2 * walls.size(); ++i)
   {
-    for (const int i : { 0, 1 })
+    const ImageWall & wall = walls[i / 2];
+    const VertexId    cell = wall.cells[i % 2];
+    const auto        found = within.find(cell);
+    if (found != within.end() && found->second.count(wall.cells[1 - i % 2]) != 0)
     {
-      const VertexId cell = wall.cells[i];
-      const VertexId other = wall.cells[1 - i];
-      if (within[cell].count(other) != 0 && around[cell].count(other) == 0 && at(wall.face[0]) != at(wall.face[1]))
-      {
-        ofCell[cell].push_back({ wall.face[0], wall.face[1] });
-      }
+      const auto starts = StartsOf(volume, wall);
+      ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
   std::vector<SplitCell> split;
   for (auto & [cell, edges] : ofCell)
   {
-    split.push_back({ cell, std::move(edges) });
+    if (!edges.empty())
+    {
+      split.push_back({ cell, std::move(edges) });
+    }
   }
   return split;
 }

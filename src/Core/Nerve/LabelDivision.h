@@ -59,9 +59,9 @@ struct SplitCell
  * corners: a disk. One that is closed, that has several boundaries, or that ends at a line without corners, is not:
  * around a cell that touches one or two others, or within another one, or that runs through air like a bar. Where one
  * of the cells of such a wall is taken for several, the walls between these end on it, make corners, and cut it into
- * disks. The larger one of the two cells is divided, the one around the other as a rule: if it is the exterior in a
- * layer around the wall, if it is a cell the whole of it, among seeds spread over the wall. Pieces whose walls are not
- * yet disks are divided again, in a few rounds.
+ * disks. The larger one of the two cells is divided, the one around the other as a rule, among seeds spread over the
+ * wall: the exterior in a layer at the wall; a cell as far from the wall as that is wide, or the whole of it where the
+ * wall is around what is within. Pieces whose walls are not yet disks are divided again, in a few rounds.
  *
  * The pieces of a cell are cells of the nerve, those of the exterior are exterior. What the walls between them are like
  * means nothing, and they are to be dropped in the end.
