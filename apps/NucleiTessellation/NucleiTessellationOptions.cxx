@@ -73,7 +73,7 @@ ParseCommandLine(int argc, char ** argv)
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
   options.method = found.count(membrane) > 0
                      ? ChoosePreset(found, Parameters(), Parameters::PaperPreset())
-                     : ChoosePreset(found, Parameters::PointsPreset(), Parameters::PaperPointsPreset());
+                     : ChoosePreset(found, Parameters(), Parameters::PaperPointsPreset());
   AddInputOptions(app, found.count(centersOf) > 0, options);
   AddOutputOptions(app, options.outputs);
   AddEvaluationOptions(app, options.evaluation);
