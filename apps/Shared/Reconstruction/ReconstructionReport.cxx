@@ -80,7 +80,6 @@ MeshToJson(const ReconstructionReport & report)
   const QualitySummary         quality = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
-           { "parts", reconstruction.numberOfParts },
            { "walls", mesh.walls.size() },
            { "fitted", reconstruction.isFitted },
            { "cornersNotFitted", reconstruction.fitting.unfittedCorners },
@@ -169,12 +168,13 @@ SecondsToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.GetReconstruction();
   // With the threads that the times are for: nothing else in the report depends on them.
-  Json json{ { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
-           { "read", report.input.seconds.read },
-           { "closeGaps", report.input.seconds.closeGaps },
-           { "segmentation", report.input.seconds.segment },
-           { "extractJunctions", report.input.extracted.seconds },
-           };
+  Json json{
+    { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
+    { "read", report.input.seconds.read },
+    { "closeGaps", report.input.seconds.closeGaps },
+    { "segmentation", report.input.seconds.segment },
+    { "extractJunctions", report.input.extracted.seconds },
+  };
   for (const ReconstructionStage & stage : r.stages)
   {
     json[stage.name] = stage.seconds;

@@ -38,7 +38,6 @@ ReconstructionParameters
 ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
-  parameters.separateParts = false;
   parameters.source = ComplexSource::Centers;
   parameters.maximumEdgeLengthFactor = 1.4;
   parameters.guidedCleanUp = false;
