@@ -125,7 +125,7 @@ InputToJson(const ReconstructionReport & report)
     { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
     { "exteriorLabel", input.extracted.exteriorLabel },
     { "cells", junctions.cells.size() - 1 },
-    { "voids", ToJsonIf(hasLabelImage, junctions.voids.size()) },
+    { "voids", ToJsonIf(hasLabelImage, report.NumberOfVoids()) },
     { "walls", ToJsonIf(hasLabelImage, junctions.walls.size()) },
     { "tripleLines", ToJsonIf(hasLabelImage, junctions.tripleLines.size()) },
     { "junctions", ToJsonIf(hasLabelImage, junctions.junctions.size()) },

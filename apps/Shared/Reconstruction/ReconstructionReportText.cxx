@@ -96,6 +96,10 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
            << " x " << spacing[2] << ", ";
   }
   stream << report.GetCells().size() - 1 << " cells, exterior label " << input.extracted.exteriorLabel << '\n';
+  if (report.NumberOfVoids() > 0)
+  {
+    stream << "Voids enclosed in the tissue: " << report.NumberOfVoids() << '\n';
+  }
   if (input.closedGaps)
   {
     stream << "Gaps up to a width of " << input.closedGaps->width << " closed: " << input.closedGaps->numberOfVoxels

@@ -203,7 +203,7 @@ CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions)
     const bool touches = complex.HasPair(ExteriorVertex, v);
     add(cell.numberOfPieces > 1, Remark::SeveralPieces, static_cast<double>(cell.numberOfStrayVoxels));
     add(cell.touchesBorder, Remark::CutByBorder, 0.0);
-    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.CellOfVertex(count.neighbor).label));
+    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.cells[count.neighbor].label));
     add(isAlone && isInExterior, Remark::Separated, 0.0);
     add(cell.touchesExterior && !touches, Remark::ExteriorLost, 0.0);
     add(!cell.touchesExterior && touches, Remark::ExteriorGained, 0.0);
