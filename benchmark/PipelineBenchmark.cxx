@@ -79,8 +79,7 @@ private:
     cleaned = AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
     SurfaceCleanUpParameters cleanUp;
     cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
-    cleanUp.guidedByReference = parameters.guidedCleanUp;
-    CleanSurface(cleaned, centers, &reference, cleanUp);
+    CleanSurface(cleaned, centers, cleanUp);
   }
 
   static std::vector<Point>

@@ -43,8 +43,6 @@ struct ReconstructionParameters
   /** Whether the automatic l_max follows the local spacing of the centres (LocalSpacing.h) in place of the median
    * distance; it does where no neighbours are known. */
   bool localMaximumEdgeLength = false;
-  /** See SurfaceCleanUpParameters::guidedByReference. */
-  bool guidedCleanUp = true;
 
   EnergyParameters    energy;
   AnnealingParameters annealing;

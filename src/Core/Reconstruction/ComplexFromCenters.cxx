@@ -44,7 +44,6 @@ MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & para
             const AdjacencyComplex & complex, const std::vector<Point> & centers)
 {
   SurfaceCleanUpParameters cleanUp;
-  cleanUp.guidedByReference = parameters.guidedCleanUp;
   cleanUp.maximumEdgeLength = parameters.maximumEdgeLength;
   if (!(parameters.maximumEdgeLength > 0.0))
   {
@@ -97,7 +96,7 @@ MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters
   const SurfaceCleanUpParameters cleanUp = MakeCleanUp(cells.junctions, parameters, complex, centers);
   result.maximumEdgeLength =
     cleanUp.maximumEdgeLength * (cleanUp.localLengths.empty() ? 1.0 : MedianSpacing(cleanUp.localLengths));
-  result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
+  result.cleanUp = CleanSurface(complex, centers, cleanUp);
   addStage("cleaned", complex);
 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);

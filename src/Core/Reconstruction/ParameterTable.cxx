@@ -82,10 +82,6 @@ AddCleanUp(std::vector<Parameter> & table)
       "Whether the automatic l_max follows the local spacing of the centres (true or false)",
       BooleanParameter{ At<&P::localMaximumEdgeLength> },
       table);
-  Add("guidedCleanUp",
-      "Whether the image guides the clean-up (true or false)",
-      BooleanParameter{ At<&P::guidedCleanUp> },
-      table);
 }
 
 void

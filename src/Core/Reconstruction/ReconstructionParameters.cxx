@@ -40,7 +40,6 @@ ReconstructionParameters::PaperPreset()
   ReconstructionParameters parameters;
   parameters.source = ComplexSource::Centers;
   parameters.maximumEdgeLengthFactor = 1.4;
-  parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();
   parameters.annealing = AnnealingParameters();
   parameters.corners = CornerRule::ProjectedCircumcenter;
