@@ -206,7 +206,6 @@ ToJson(const ReconstructionReport & report)
                       { "triangleSwaps", r.cleanUp.numberOfSwaps },
                       { "edgeRemovals", r.cleanUp.numberOfRemovals } };
   json["cycles"] = CyclesToJson(r.cycles);
-  json["relocatedVertices"] = r.numberOfRelocatedVertices;
   json["energy"] = r.energy;
   json["mesh"] = MeshToJson(report);
   json["warnings"] = CollectWarnings(report);

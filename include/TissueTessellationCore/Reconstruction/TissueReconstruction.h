@@ -56,8 +56,6 @@ struct TissueReconstruction
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
   std::vector<AnnealingCycle> cycles;
-  /** Vertices that found a better place after the cycles (VertexRelocation.h). */
-  std::size_t numberOfRelocatedVertices = 0;
   /** Of the optimized complex. */
   double                  energy = 0.0;
   std::vector<CellRemark> remarks;

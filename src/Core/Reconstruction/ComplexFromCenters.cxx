@@ -101,7 +101,6 @@ MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters
 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
   result.cycles = optimizer.Run(execution.Part(DelaunayShare, 1.0));
-  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
   result.energy = optimizer.Energy();
   addStage("optimized", complex);
 

@@ -17,8 +17,6 @@ namespace
 using P = ReconstructionParameters;
 using Energy = EnergyParameters;
 using Annealing = AnnealingParameters;
-using Focus = FocusedAnnealingParameters;
-using Relocation = VertexRelocationParameters;
 
 // Limits that no sensible value comes near. They keep the arithmetic finite.
 constexpr double         LargestLength = 1e12;
@@ -26,7 +24,6 @@ constexpr ParameterRange Weight{ 0.0, 1e6 };
 constexpr ParameterRange Temperature{ 1e-9, 1e6 };
 constexpr ParameterRange Degree{ 3.0, 1e6 };
 constexpr ParameterRange Repetitions{ 0.0, 1000.0 };
-constexpr ParameterRange Proposals{ 0.0, 1e6 };
 constexpr ParameterRange Share{ 0.0, 1.0 };
 constexpr ParameterRange Neighbors{ 1.0, 100.0 };
 
@@ -192,72 +189,6 @@ AddFixed(std::vector<Parameter> & table)
       "Ideal number of neighbouring cells of an inner cell",
       RealParameter{ At<&P::energy, &Energy::innerNeighbors>, Neighbors },
       table);
-  Add("focusedAnnealing",
-      "Whether the complex is annealed again where it is wrong",
-      BooleanParameter{ At<&P::annealing, &Annealing::isFocused> },
-      table);
-  Add("focusedRounds",
-      "Rounds of the focused annealing",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::numberOfRounds>, Repetitions },
-      table);
-  Add("relocationWrongShare",
-      "Share of wrong tetrahedra from which on another place is tried for a vertex",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::wrongShare>, { 0.0, 1e6 } },
-      table);
-}
-
-void
-AddFocus(std::vector<Parameter> & table)
-{
-  Add("focusedInitialTemperature",
-      "Temperature of the first round of the focused annealing",
-      RealParameter{ At<&P::annealing, &Annealing::focus, &Focus::initialTemperature>, Temperature },
-      table);
-  Add("focusedFinalTemperature",
-      "Temperature of the last round of the focused annealing",
-      RealParameter{ At<&P::annealing, &Annealing::focus, &Focus::finalTemperature>, Temperature },
-      table);
-  Add("focusedProposals",
-      "Operations proposed in a round of the focused annealing for each tetrahedron",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::proposalsPerTetrahedron>, Proposals },
-      table);
-  Add("focusedMaximumDegree",
-      "Largest degree of an edge that the focused annealing removes",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::maximumDegree>, Degree },
-      table);
-  Add("returnsFromMelting",
-      "Whether a complex that has lost a fifth of the best energy goes back to it",
-      BooleanParameter{ At<&P::annealing, &Annealing::focus, &Focus::returnsFromMelting> },
-      table);
-}
-
-void
-AddRelocation(std::vector<Parameter> & table)
-{
-  Add("relocationLargestShare",
-      "Largest share of the vertices that are tried at another place",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::largestShare>, Share },
-      table);
-  Add("relocationPlaces",
-      "Places that are tried for a vertex",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::numberOfPlaces>, Repetitions },
-      table);
-  Add("relocationRounds",
-      "Rounds of annealing around a vertex at its new place",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::numberOfRounds>, Repetitions },
-      table);
-  Add("relocationProposals",
-      "Operations proposed in such a round for each tetrahedron",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::proposalsPerTetrahedron>, Proposals },
-      table);
-  Add("relocationInitialTemperature",
-      "Temperature of the first of these rounds",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::initialTemperature>, Temperature },
-      table);
-  Add("relocationFinalTemperature",
-      "Temperature of the last of these rounds",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::finalTemperature>, Temperature },
-      table);
 }
 
 /** What follows from other choices of a program. */
@@ -290,8 +221,6 @@ MakeTable()
       SeedParameter{ At<&P::annealing, &Annealing::seed>, { 0.0, 9007199254740992.0 } },
       table);
   addGroup(ParameterUse::Fixed, AddFixed);
-  addGroup(ParameterUse::Internal, AddFocus);
-  addGroup(ParameterUse::Internal, AddRelocation);
   addGroup(ParameterUse::Internal, AddSwitches);
   return table;
 }

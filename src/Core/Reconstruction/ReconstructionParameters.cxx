@@ -21,7 +21,6 @@ ReconstructionParameters::ReconstructionParameters()
   annealing.legality = Legality::Combinatorial;
   annealing.ringRule = RingRule::BestOfReference;
   annealing.maximumDegree = 12;
-  annealing.isFocused = true;
 }
 
 ReconstructionParameters
