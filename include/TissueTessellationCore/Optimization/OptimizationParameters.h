@@ -20,11 +20,6 @@ struct EnergyParameters
 {
   /** The weight of the image term, equation 2. Without a reference the term is 0. */
   double adjacencyWeight = 8.0;
-  /** The share of the votes, where the reference has votes, above which a tetrahedron is better than none by the image
-   * term. With nearly one half, the complex keeps what is likelier than not. */
-  double leastVote = 0.48;
-  /** The weight of a term like the image term, but for pairs of cells that share a wall. The paper does not have it. */
-  double pairWeight = 0.0;
   /** The weight of the prior on the numbers of neighbours, equation 3. */
   double neighborWeight = 0.05;
   /** The weight of the term of longest edges, equation 4. */

@@ -69,16 +69,13 @@ TopologyOptimizer::TopologyOptimizer(AdjacencyComplex & complex, const std::vect
 double
 TopologyOptimizer::OneElement() const
 {
-  // A share of the votes: by so much those of a tetrahedron and of the one that takes its place are taken to differ.
-  constexpr double                 changeOfVotes = 0.2;
   const ReferenceAdjacency * const reference = m_Energy.GetReference();
   if (!reference || m_EnergyParameters.adjacencyWeight == 0.0)
   {
     return (m_EnergyParameters.neighborWeight + m_EnergyParameters.lengthWeight) /
            static_cast<double>(m_Complex.NumberOfVertices());
   }
-  return (reference->HasVotes() ? changeOfVotes : 1.0) * m_EnergyParameters.adjacencyWeight /
-         std::max<double>(1.0, reference->NumberOfQuadruples());
+  return m_EnergyParameters.adjacencyWeight / std::max<double>(1.0, reference->NumberOfQuadruples());
 }
 
 std::vector<AnnealingCycle>

@@ -24,7 +24,6 @@ constexpr ParameterRange Weight{ 0.0, 1e6 };
 constexpr ParameterRange Temperature{ 1e-9, 1e6 };
 constexpr ParameterRange Degree{ 3.0, 1e6 };
 constexpr ParameterRange Repetitions{ 0.0, 1000.0 };
-constexpr ParameterRange Share{ 0.0, 1.0 };
 constexpr ParameterRange Neighbors{ 1.0, 100.0 };
 
 /** The member at the end of a path of members. */
@@ -172,14 +171,6 @@ AddFixed(std::vector<Parameter> & table)
       "Where the adjacency complex comes from",
       MakeEnumeration<&P::source>({ { "centers", static_cast<int>(ComplexSource::Centers) },
                                     { "image", static_cast<int>(ComplexSource::Image) } }),
-      table);
-  Add("pairWeight",
-      "Weight of the image term for pairs of cells",
-      RealParameter{ At<&P::energy, &Energy::pairWeight>, Weight },
-      table);
-  Add("leastVote",
-      "Share of the votes from which on a tetrahedron is better than none",
-      RealParameter{ At<&P::energy, &Energy::leastVote>, Share },
       table);
   Add("epidermalNeighbors",
       "Ideal number of neighbouring cells of an epidermal cell",

@@ -15,7 +15,6 @@ namespace tissue
 ReconstructionParameters::ReconstructionParameters()
 {
   // The image tells the neighbours: the terms without it only pull away from what it shows.
-  energy.pairWeight = 0.8;
   energy.neighborWeight = 0.0;
   energy.lengthWeight = 0.0;
   annealing.legality = Legality::Combinatorial;
