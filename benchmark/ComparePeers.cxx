@@ -8,7 +8,6 @@
 // of the tissue.
 #include "ComparisonTable.h"
 #include "LabelInput.h"
-#include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "TissueTessellationVTKBridge.h"
 #include "itkCoreExecution.h"
@@ -110,10 +109,9 @@ RunOurs(const Options & options)
   {
     ours.phases[p].wallSeconds = median([p](const Contestant & run) { return run.phases[p].wallSeconds; });
   }
-  const JunctionSet junctions = MergeVoids(mesh->GetJunctionSet());
-  const auto        extraction = ExtractTissue(ReadLabels(options.labels));
-  ours.evaluation = Evaluate(
-    mesh->GetWallMesh(), junctions, MergeVoids(extraction->GetLabelVolume()->GetLabelVolume(), junctions.cells.size()));
+  const auto extraction = ExtractTissue(ReadLabels(options.labels));
+  ours.evaluation =
+    Evaluate(mesh->GetWallMesh(), mesh->GetJunctionSet(), extraction->GetLabelVolume()->GetLabelVolume());
   return ours;
 }
 
@@ -177,7 +175,7 @@ Compare(const Options & options)
 {
   std::vector<Contestant> contestants = { RunOurs(options) };
   const auto              labels = ReadLabels(options.labels);
-  const JunctionSet       junctions = MergeVoids(ExtractTissue(labels)->GetOutput()->GetJunctionSet());
+  const JunctionSet       junctions = ExtractTissue(labels)->GetOutput()->GetJunctionSet();
   const auto              cells = MakeCellImage(labels, junctions.cells);
   const LabelVolume       volume = MakePeerVolume(cells);
   const std::size_t       numberOfCells = junctions.cells.size() - 1;

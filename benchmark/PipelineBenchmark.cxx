@@ -74,22 +74,21 @@ private:
   {
     for (const VertexId v : order)
     {
-      centers.push_back(junctions.CellOfVertex(v).center);
+      centers.push_back(junctions.cells[v].center);
     }
     cleaned = AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers));
     SurfaceCleanUpParameters cleanUp;
     cleanUp.maximumEdgeLength = parameters.maximumEdgeLengthFactor * MedianNeighborDistance(junctions);
-    cleanUp.guidedByReference = parameters.guidedCleanUp;
-    CleanSurface(cleaned, centers, &reference, cleanUp);
+    CleanSurface(cleaned, centers, cleanUp);
   }
 
   static std::vector<Point>
   ListCenters(const JunctionSet & junctions)
   {
     std::vector<Point> centers;
-    for (VertexId v = ExteriorVertex; v < junctions.NumberOfVertices(); ++v)
+    for (const Cell & cell : junctions.cells)
     {
-      centers.push_back(junctions.CellOfVertex(v).center);
+      centers.push_back(cell.center);
     }
     return centers;
   }

@@ -19,8 +19,7 @@ With --simplicial four cells have one tetrahedron at most, and the tetrahedra ar
     maximize  |T & S| / |T | S|   over the sets T of tetrahedra that fulfil what every simplicial complex does:
 
 - every triangle is in none or in two, every cell in four at least;
-- the link of a cell is a sphere: with n neighbours a cell is in 2 n - 4 tetrahedra (the exterior, whose link is a sphere
-  for each part of the tissue that shares no junction with the others, in 2 n - 4 for each);
+- the link of a cell, or of the exterior, is a sphere: with n neighbours a cell is in 2 n - 4 tetrahedra;
 - the edges at any set of cells are four for each cell at least, because the graph of a closed 3-manifold is rigid in four
   dimensions (Kalai 1987, doi:10.1007/BF01405094; Fogelsanger 1988). It is asked of the sets of cells with few quadruples:
   cells cut by the border of the image, with less than four neighbours, for which a complex needs false tetrahedra.
@@ -155,7 +154,7 @@ class SimplicialProgramme(Programme):
     cell its remote tetrahedra and remote edges; each edge of a tetrahedron that is a column; the numbers of remote
     tetrahedra and of remote edges."""
 
-    def __init__(self, reference, labels, exterior, parts):
+    def __init__(self, reference, labels):
         super().__init__()
         others, reference_triangles = enumerate_others(reference)
         self.tetrahedra = reference + others
@@ -190,8 +189,7 @@ class SimplicialProgramme(Programme):
         for i, (cell, members) in enumerate(cells.items()):
             star = [(c, 1) for c in members] + [(remote_at_cell + i, 1)]
             self.add_row(star, 4, np.inf)
-            spheres = parts if cell == exterior else 1
-            self.add_row(star + links[cell] + [(edges_at_cell + i, -2)], -4 * spheres, -4 * spheres)
+            self.add_row(star + links[cell] + [(edges_at_cell + i, -2)], -4, -4)
         inside = [remote_at_triangle + i for i, t in enumerate(triangles) if t in reference_triangles]
         outside = [remote_at_triangle + i for i, t in enumerate(triangles) if t not in reference_triangles]
         self.add_row([(self.remote_tetrahedra, 1)] + [(c, -1) for c in inside], 0, np.inf)
@@ -248,8 +246,7 @@ def main():
         adjacency2 = [stage["adjacency2"] for stage in stages]
         if chosen.simplicial:
             adjacency4 = [stage["adjacency4"] for stage in stages]
-            exterior = report["input"]["exteriorLabel"]
-            programme = SimplicialProgramme(sorted(places), [exterior, *labels], exterior, report["mesh"]["parts"])
+            programme = SimplicialProgramme(sorted(places), [report["input"]["exteriorLabel"], *labels])
         else:
             adjacency4 = [jaccard(places, run[2]) for run in runs]
             programme = GeneralProgramme(places)

@@ -9,7 +9,6 @@
 
 #include "itkCellWallMeshEvaluationCalculator.h"
 
-#include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkCoreExecution.h"
 #include "itkLabelJunctionExtractionFilter.h"
@@ -93,7 +92,6 @@ CellWallMeshEvaluationCalculator<TLabelImage>::Compute()
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(m_Image);
   m_Exterior.ApplyTo(extraction.GetPointer());
-  extraction->SeparateVoidsOff();
   extraction->GenerateLabelVolumeOn();
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   extraction->Update();
@@ -105,11 +103,6 @@ void
 CellWallMeshEvaluationCalculator<TLabelImage>::Evaluate(const tissue::JunctionSet & junctions,
                                                         const tissue::LabelVolume & labels)
 {
-  if (!junctions.voids.empty())
-  {
-    this->Evaluate(tissue::MergeVoids(junctions), tissue::MergeVoids(labels, junctions.cells.size()));
-    return;
-  }
   m_Evaluation = RunCore(this, [&] {
     const auto walls = tissue::MakeWallMesh(tissue::FindCellsOfTriangles(*m_Triangles, junctions));
     return std::make_unique<const tissue::TissueMeshEvaluation>(

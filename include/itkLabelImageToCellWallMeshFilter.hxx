@@ -46,7 +46,6 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(this->GetInput());
   m_Exterior.ApplyTo(extraction.GetPointer());
-  extraction->SetSeparateVoids(false);
   extraction->GenerateLabelVolumeOn();
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(extraction, 0.3f);

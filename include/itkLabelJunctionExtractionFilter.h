@@ -8,7 +8,6 @@
 #define itkLabelJunctionExtractionFilter_h
 
 #include "itkExteriorLabelSettings.h"
-#include "itkImage.h"
 #include "itkProcessObject.h"
 #include "itkTissueJunctions.h"
 #include "itkTissueLabelVolume.h"
@@ -38,9 +37,7 @@ namespace itk
  * sides: each three of the labels it sees are a triple line, each four a junction (section 3.4 of the paper).
  *
  * Exterior: the outside of the image always; the exterior label, given or found by ExteriorLabelImageCalculator; and
- * label 0, unless it is asked to be a cell. Several such labels are one exterior. A void of it that the tissue
- * encloses, with four or more cells around it, is told from it (EnclosedVoidImageFilter): it is one of the voids of the
- * output. An image that has voids is read twice, and needs 5 bytes a voxel then.
+ * label 0, unless it is asked to be a cell. Several such labels are one exterior, and so are its voids in the tissue.
  *
  * The image is split along its last axis among the threads and streamed row by row, as runs of equal labels: time is
  * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of
@@ -102,11 +99,6 @@ public:
   /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell: see itkExteriorLabelSettings.h. */
   itkExteriorLabelMacro();
 
-  /** Tell enclosed voids from the exterior. Default: on. */
-  itkSetMacro(SeparateVoids, bool);
-  itkGetConstMacro(SeparateVoids, bool);
-  itkBooleanMacro(SeparateVoids);
-
   /** The label of the output's exterior vertex: the one set or found; else 0, or, if 0 is a cell, a negative label that
    * no cell has. Valid after the update. */
   tissue::Label
@@ -143,22 +135,12 @@ private:
   Gather(const ScanMap & scans, const std::array<std::int32_t, 3> & size,
          const tissue::ExteriorLabels & exterior) const;
 
-  /** Scans the image again with each enclosed void as a label of its own, if there is one; m_Voids then has them. */
-  void
-  SeparateVoidsOf(tissue::JunctionSet & junctions, const std::array<std::int32_t, 3> & size,
-                  tissue::ExteriorLabels exterior);
-
   /** Feeds the scan with a plane, in its padded coordinates. */
   void
   ScanPlane(IndexValueType plane, tissue::BlockScan & scan) const;
 
   void
   ScanImageRow(const LabelPixelType * row, SizeValueType size, tissue::BlockScan & scan) const;
-
-  /** Likewise, where the row of `voids` is not 0 with the labels from m_FirstVoidLabel on. */
-  void
-  ScanImageRow(const LabelPixelType * row, const std::uint32_t * voids, SizeValueType size,
-               tissue::BlockScan & scan) const;
 
   void
   AddRun(LabelPixelType pixel, SizeValueType end, tissue::BlockScan & scan) const;
@@ -171,8 +153,7 @@ private:
   void
   TransformToPhysicalSpace(tissue::JunctionSet & junctions) const;
 
-  /** Each voxel by its vertex in the junctions, whose voids are those of m_Voids. A label that is no cell's is the
-   * exterior's. */
+  /** Each voxel by its vertex in the junctions. A label that is no cell's is the exterior's. */
   std::shared_ptr<const tissue::LabelVolume>
   MakeLabelVolume(const tissue::JunctionSet & junctions) const;
 
@@ -180,12 +161,7 @@ private:
   NumberVoxels(const tissue::JunctionSet & junctions, std::vector<tissue::VertexId> & vertices) const;
 
   ExteriorLabelSettings m_Exterior;
-  bool                  m_SeparateVoids = true;
   bool                  m_GenerateLabelVolume = false;
-
-  /** The numbers of the enclosed voids, from 1, while the outputs are made of an image that has some; else null. */
-  Image<std::uint32_t, 3>::Pointer m_Voids;
-  tissue::Label                    m_FirstVoidLabel = 0;
 };
 } // namespace itk
 

@@ -14,7 +14,6 @@
 #include "TissueTessellationCore/Image/LabelIndexer.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 #include "itkContinuousIndex.h"
-#include "itkEnclosedVoidImageFilter.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTotalProgressReporter.h"
@@ -139,22 +138,16 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   tissue::BlockScan::Index     size;
   const auto                   imageSize = this->GetInput()->GetLargestPossibleRegion().GetSize();
   std::copy_n(imageSize.begin(), 3, size.begin());
-  m_Voids = nullptr;
   auto junctions = [&]() {
     const ScanMap scans = this->ScanImage(size, exterior);
     auto          result = this->Gather(scans, size, exterior);
     this->CheckCells(scans, result);
     return result;
   }();
-  if (m_SeparateVoids && junctions.cells[tissue::ExteriorVertex].numberOfPieces > 1)
-  {
-    this->SeparateVoidsOf(junctions, size, exterior);
-  }
   if (m_GenerateLabelVolume)
   {
     this->GetLabelVolume()->SetLabelVolume(this->MakeLabelVolume(junctions));
   }
-  m_Voids = nullptr;
   this->TransformToPhysicalSpace(junctions);
   this->GetOutput()->SetJunctionSet(std::move(junctions));
   this->UpdateProgress(1.0f);
@@ -176,30 +169,6 @@ LabelJunctionExtractionFilter<TLabelImage>::Gather(const ScanMap &              
 }
 
 template <typename TLabelImage>
-void
-LabelJunctionExtractionFilter<TLabelImage>::SeparateVoidsOf(tissue::JunctionSet &               junctions,
-                                                            const std::array<std::int32_t, 3> & size,
-                                                            tissue::ExteriorLabels              exterior)
-{
-  using VoidFilterType = EnclosedVoidImageFilter<LabelImageType>;
-  const auto voids = VoidFilterType::New();
-  voids->SetInput(this->GetInput());
-  voids->SetExteriorLabels(&exterior);
-  voids->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
-  voids->Update();
-  const tissue::Label largest = std::max(junctions.cells.back().label, exterior.label);
-  if (voids->GetNumberOfVoids() == 0 ||
-      largest > std::numeric_limits<tissue::Label>::max() - static_cast<tissue::Label>(voids->GetNumberOfVoids()))
-  {
-    return;
-  }
-  m_Voids = voids->GetOutput();
-  m_FirstVoidLabel = largest + 1;
-  exterior.numberOfVoids = static_cast<std::int32_t>(voids->GetNumberOfVoids());
-  junctions = this->Gather(this->ScanImage(size, exterior), size, exterior);
-}
-
-template <typename TLabelImage>
 auto
 LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int32_t, 3> & size,
                                                       const tissue::ExteriorLabels &      exterior) -> ScanMap
@@ -211,8 +180,7 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImage(const std::array<std::int3
   const auto          scanPlanes = [&](const ImageRegion<1> & planes) {
     errors.Run([&]() {
       // One step is left to the end: ITK's progress, a fixed-point number, wraps to 0 where rounding takes it beyond 1.
-      // The few images that are scanned again do not report it twice.
-      TotalProgressReporter progress(m_Voids ? nullptr : this, numberOfPlanes + 1);
+      TotalProgressReporter progress(this, numberOfPlanes + 1);
       const IndexValueType  first = planes.GetIndex(0);
       auto scan = std::make_shared<tissue::BlockScan>(size, static_cast<std::int32_t>(first), exterior);
       this->ScanPlane(first - 1, *scan);
@@ -248,14 +216,7 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanPlane(IndexValueType plane, tiss
       const auto begin = region.GetIndex();
       const auto offset = image->ComputeOffset({ { begin[0], begin[1] + y - 1, begin[2] + plane - 1 } });
       const LabelPixelType * const row = image->GetBufferPointer() + offset;
-      if (m_Voids)
-      {
-        this->ScanImageRow(row, m_Voids->GetBufferPointer() + offset, region.GetSize(0), scan);
-      }
-      else
-      {
-        this->ScanImageRow(row, region.GetSize(0), scan);
-      }
+      this->ScanImageRow(row, region.GetSize(0), scan);
     }
     scan.EndRow();
   }
@@ -287,27 +248,6 @@ LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * 
     }
   }
   this->AddRun(row[size - 1], size, scan);
-}
-
-template <typename TLabelImage>
-void
-LabelJunctionExtractionFilter<TLabelImage>::ScanImageRow(const LabelPixelType * row, const std::uint32_t * voids,
-                                                         SizeValueType size, tissue::BlockScan & scan) const
-{
-  for (SizeValueType i = 0; i < size; ++i)
-  {
-    if (i + 1 == size || row[i] != row[i + 1] || voids[i] != voids[i + 1])
-    {
-      if (voids[i] != 0)
-      {
-        scan.AddRun(m_FirstVoidLabel + static_cast<tissue::Label>(voids[i] - 1), static_cast<std::int32_t>(i + 2));
-      }
-      else
-      {
-        this->AddRun(row[i], i + 1, scan);
-      }
-    }
-  }
 }
 
 template <typename TLabelImage>
@@ -412,9 +352,6 @@ LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionS
   {
     vertexOf[junctions.cells[v].label] = static_cast<tissue::VertexId>(v);
   }
-  // The voids' vertices follow the cells' in the order of their numbers, as their labels do.
-  const auto                   beforeVoids = static_cast<tissue::VertexId>(junctions.cells.size()) - 1;
-  const std::uint32_t * const  voids = m_Voids ? m_Voids->GetBufferPointer() : nullptr;
   const LabelPixelType * const pixels = this->GetInput()->GetBufferPointer();
   LabelPixelType               recent{};
   tissue::VertexId             vertex = -1;
@@ -426,8 +363,7 @@ LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionS
       const auto found = vertexOf.find(static_cast<tissue::Label>(recent));
       vertex = found != vertexOf.end() ? found->second : tissue::ExteriorVertex;
     }
-    const bool isVoid = voids != nullptr && voids[i] != 0;
-    vertices[i] = isVoid ? beforeVoids + static_cast<tissue::VertexId>(voids[i]) : vertex;
+    vertices[i] = vertex;
   }
 }
 
@@ -437,7 +373,6 @@ LabelJunctionExtractionFilter<TLabelImage>::PrintSelf(std::ostream & os, Indent 
 {
   Superclass::PrintSelf(os, indent);
   m_Exterior.Print(os, indent);
-  os << indent << "SeparateVoids: " << (m_SeparateVoids ? "On" : "Off") << std::endl;
   os << indent << "GenerateLabelVolume: " << (m_GenerateLabelVolume ? "On" : "Off") << std::endl;
 }
 } // namespace itk

@@ -38,7 +38,7 @@ MakeJunctionTable(const JunctionSet & junctions)
   for (int i = 0; i < 4; ++i)
   {
     addIntegers("Label" + std::to_string(i),
-                [&junctions, i](const Junction & junction) { return junctions.CellOfVertex(junction.cells[i]).label; });
+                [&junctions, i](const Junction & junction) { return junctions.cells[junction.cells[i]].label; });
   }
   for (int axis = 0; axis < 3; ++axis)
   {

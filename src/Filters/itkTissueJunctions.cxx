@@ -14,7 +14,7 @@ TissueJunctions::AppendLabels(const TVertices & vertices, LabelsContainer & cont
 {
   for (const tissue::VertexId v : vertices)
   {
-    container.push_back(static_cast<IdentifierType>(m_JunctionSet.CellOfVertex(v).label));
+    container.push_back(static_cast<IdentifierType>(m_JunctionSet.cells[v].label));
   }
 }
 

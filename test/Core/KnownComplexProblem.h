@@ -8,10 +8,11 @@
 #define KnownComplexProblem_h
 
 #include "Complex/ComplexValidity.h"
-#include "Optimization/AnnealingState.h"
+#include "Adjacency/ReferenceAdjacency.h"
 #include "RandomMoves.h"
 #include "TestComplexes.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
+#include "TissueTessellationCore/Optimization/OptimizationParameters.h"
 
 namespace tissue_test
 {
@@ -40,23 +41,7 @@ struct Problem
   double
   Adjacency4() const
   {
-    return ComputeAdjacencyOverlap(complex, reference).adjacency4;
-  }
-
-  /** The energy of one quadruple. */
-  double
-  OneQuadruple() const
-  {
-    return ImageTermOnly().adjacencyWeight / static_cast<double>(reference.NumberOfQuadruples());
-  }
-
-  AnnealingState
-  MakeState(std::uint64_t seed = 1)
-  {
-    return { complex,
-             LocalOperations(complex, centers, Legality::Combinatorial),
-             EnergyFunction(complex, centers, &reference, ImageTermOnly()),
-             Random(seed) };
+    return ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), reference).adjacency4;
   }
 
   std::vector<Point>           centers;

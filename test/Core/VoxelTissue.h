@@ -107,20 +107,16 @@ JunctionsOf(const VoxelImage & image, const Point & spacing = { { 1, 1, 1 } },
   return GatherJunctions(pointers, image.size, spacing, image.exterior);
 }
 
-/** The junctions of a volume whose vertices are numbered without gaps, its voids last, in physical space; the label of
- * a cell is its vertex. The steps must be orthogonal. */
+/** The junctions of a volume whose vertices are numbered without gaps, in physical space; the label of a cell is its
+ * vertex. The steps must be orthogonal. */
 inline JunctionSet
-JunctionsOf(const LabelVolume & volume, std::int32_t numberOfVoids = 0)
+JunctionsOf(const LabelVolume & volume)
 {
-  VoxelImage image{ volume.size, [&volume](int x, int y, int z) { return Label{ volume.At(x, y, z) }; } };
-  image.exterior.numberOfVoids = numberOfVoids;
+  const VoxelImage image{ volume.size, [&volume](int x, int y, int z) { return Label{ volume.At(x, y, z) }; } };
   JunctionSet set = JunctionsOf(image, { { Norm(volume.steps[0]), Norm(volume.steps[1]), Norm(volume.steps[2]) } });
-  for (std::vector<Cell> * const cells : { &set.cells, &set.voids })
+  for (Cell & cell : set.cells)
   {
-    for (Cell & cell : *cells)
-    {
-      cell.center = volume.ToPhysical(cell.center);
-    }
+    cell.center = volume.ToPhysical(cell.center);
   }
   for (Wall & wall : set.walls)
   {
@@ -134,7 +130,7 @@ JunctionsOf(const LabelVolume & volume, std::int32_t numberOfVoids = 0)
 }
 
 /** A ball of about 25 cells in a cube of `side` voxels: the cells of the nearest of 27 points near a lattice, where
- * they have a voxel. With a hollow in its middle, the ball is a shell, and the hollow the volume's one void. */
+ * they have a voxel. With a hollow in its middle, which is exterior, the ball is a shell. */
 inline LabelVolume
 VoronoiBall(int side, double hollowRadius = 0.0)
 {
@@ -154,7 +150,6 @@ VoronoiBall(int side, double hollowRadius = 0.0)
   volume.size = { { side, side, side } };
   volume.vertices.assign(static_cast<std::size_t>(side) * side * side, ExteriorVertex);
   const double            middle = 0.5 * (side - 1);
-  constexpr int           hollow = 1000;
   std::map<int, VertexId> vertexOf;
   const auto              visit = [&](const auto & take) {
     for (std::size_t i = 0; i < volume.vertices.size(); ++i)
@@ -164,9 +159,9 @@ VoronoiBall(int side, double hollowRadius = 0.0)
       const double radius = Distance(p, { { middle, middle, middle } });
       const auto   nearest = std::min_element(
         seeds.begin(), seeds.end(), [&p](const Point & a, const Point & b) { return Distance(a, p) < Distance(b, p); });
-      if (radius < middle - 1.0)
+      if (radius < middle - 1.0 && radius >= hollowRadius)
       {
-        take(i, radius < hollowRadius ? hollow : static_cast<int>(nearest - seeds.begin()));
+        take(i, static_cast<int>(nearest - seeds.begin()));
       }
     }
   };

@@ -39,7 +39,6 @@ ExtractJunctions(const TImage * image, const JunctionOptions & options, Progress
     extraction->SetExteriorLabel(*options.exteriorLabel);
   }
   extraction->SetZeroIsCell(options.zeroIsCell);
-  extraction->SeparateVoidsOff();
   extraction->SetGenerateLabelVolume(options.makesVolume);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);

@@ -119,9 +119,6 @@ AddToJson(const ReconstructionParameters & parameters, nlohmann::ordered_json & 
       std::visit([&](const auto & value) { group[parameter.option] = value; }, GetValue(parameter, parameters));
     }
   }
-  // There is none by the paper's legality, whatever the parameter says.
-  fixed["focusedAnnealing"] =
-    parameters.annealing.isFocused && parameters.annealing.legality == Legality::Combinatorial;
   json["fixed"] = fixed;
 }
 } // namespace tissue

@@ -80,7 +80,6 @@ MeshToJson(const ReconstructionReport & report)
   const QualitySummary         quality = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
-           { "parts", reconstruction.numberOfParts },
            { "walls", mesh.walls.size() },
            { "fitted", reconstruction.isFitted },
            { "cornersNotFitted", reconstruction.fitting.unfittedCorners },
@@ -126,7 +125,7 @@ InputToJson(const ReconstructionReport & report)
     { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
     { "exteriorLabel", input.extracted.exteriorLabel },
     { "cells", junctions.cells.size() - 1 },
-    { "voids", ToJsonIf(hasLabelImage, junctions.voids.size()) },
+    { "voids", ToJsonIf(hasLabelImage, report.NumberOfVoids()) },
     { "walls", ToJsonIf(hasLabelImage, junctions.walls.size()) },
     { "tripleLines", ToJsonIf(hasLabelImage, junctions.tripleLines.size()) },
     { "junctions", ToJsonIf(hasLabelImage, junctions.junctions.size()) },
@@ -169,12 +168,13 @@ SecondsToJson(const ReconstructionReport & report)
 {
   const TissueReconstruction & r = report.GetReconstruction();
   // With the threads that the times are for: nothing else in the report depends on them.
-  Json json{ { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
-           { "read", report.input.seconds.read },
-           { "closeGaps", report.input.seconds.closeGaps },
-           { "segmentation", report.input.seconds.segment },
-           { "extractJunctions", report.input.extracted.seconds },
-           };
+  Json json{
+    { "threads", itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads() },
+    { "read", report.input.seconds.read },
+    { "closeGaps", report.input.seconds.closeGaps },
+    { "segmentation", report.input.seconds.segment },
+    { "extractJunctions", report.input.extracted.seconds },
+  };
   for (const ReconstructionStage & stage : r.stages)
   {
     json[stage.name] = stage.seconds;
@@ -206,7 +206,6 @@ ToJson(const ReconstructionReport & report)
                       { "triangleSwaps", r.cleanUp.numberOfSwaps },
                       { "edgeRemovals", r.cleanUp.numberOfRemovals } };
   json["cycles"] = CyclesToJson(r.cycles);
-  json["relocatedVertices"] = r.numberOfRelocatedVertices;
   json["energy"] = r.energy;
   json["mesh"] = MeshToJson(report);
   json["warnings"] = CollectWarnings(report);

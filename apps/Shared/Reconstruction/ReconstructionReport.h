@@ -48,6 +48,13 @@ struct ReconstructionReport
     return !input.GetJunctionSet().walls.empty();
   }
 
+  /** The pieces of the exterior that the tissue encloses. */
+  std::int32_t
+  NumberOfVoids() const
+  {
+    return GetCells()[ExteriorVertex].numberOfPieces - 1;
+  }
+
   /** Whether the voxels of an image are known: of the label image, or of that of the nuclei. */
   bool
   HasVoxels() const

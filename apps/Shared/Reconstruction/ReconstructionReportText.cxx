@@ -96,6 +96,10 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
            << " x " << spacing[2] << ", ";
   }
   stream << report.GetCells().size() - 1 << " cells, exterior label " << input.extracted.exteriorLabel << '\n';
+  if (report.NumberOfVoids() > 0)
+  {
+    stream << "Voids enclosed in the tissue: " << report.NumberOfVoids() << '\n';
+  }
   if (input.closedGaps)
   {
     stream << "Gaps up to a width of " << input.closedGaps->width << " closed: " << input.closedGaps->numberOfVoxels
@@ -113,10 +117,6 @@ PrintMesh(const ReconstructionReport & report, std::ostream & stream)
   stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
          << " triangles, " << std::setprecision(1)
          << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n";
-  if (reconstruction.numberOfParts > 1)
-  {
-    stream << "Parts of the tissue that share no junction: " << reconstruction.numberOfParts << '\n';
-  }
   stream << "Cells whose surfaces are closed spheres: "
          << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
          << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';

@@ -13,9 +13,8 @@
 
 namespace tissue
 {
-/** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex. Its voxels are those of the
- * image with its label, except for those of JunctionSet::voids; its largest piece is the one around the tissue, and its
- * other pieces are voids too small to be vertices. A void is a cell of one piece with the exterior's label. */
+/** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex. Its largest piece is the one
+ * around the tissue, the outside of the image included; its other pieces are voids that the tissue encloses. */
 struct Cell
 {
   /** The label in the image. The exterior has the label that stands for it, or, if only the outside of the image is
@@ -84,15 +83,12 @@ struct JunctionVote
 /** \brief Everything the topological optimization takes from a label image (paper, section 3.4).
  *
  * The vertices of the adjacency complex are the indices of `cells`, the exterior first, then the cells in ascending
- * order of their labels. After them come the vertices of `voids`. Each void is a place of its own where cells meet the
- * exterior, since one vertex would not do for all: a cell of a hollow tissue of one layer meets the exterior on two
- * sides. All other lists are sorted by `cells` and hold each tuple once, with its vertices ascending. The outside of
- * the image counts as exterior, so that a cell cut by the border has a wall to the exterior there. A block of more than
- * four labels counts for each of its subsets of three and of four. */
+ * order of their labels. All other lists are sorted by `cells` and hold each tuple once, with its vertices ascending.
+ * The outside of the image counts as exterior, so that a cell cut by the border has a wall to the exterior there. A
+ * block of more than four labels counts for each of its subsets of three and of four. */
 struct JunctionSet
 {
   std::vector<Cell>       cells;
-  std::vector<Cell>       voids;
   std::vector<Wall>       walls;
   std::vector<TripleLine> tripleLines;
   std::vector<Junction>   junctions;
@@ -104,20 +100,13 @@ struct JunctionSet
   VertexId
   NumberOfVertices() const
   {
-    return static_cast<VertexId>(cells.size() + voids.size());
+    return static_cast<VertexId>(cells.size());
   }
 
   const Cell &
   CellOfVertex(VertexId v) const
   {
-    const auto i = static_cast<std::size_t>(v);
-    return i < cells.size() ? cells[i] : voids[i - cells.size()];
-  }
-
-  bool
-  IsVoid(VertexId v) const
-  {
-    return static_cast<std::size_t>(v) >= cells.size();
+    return cells[static_cast<std::size_t>(v)];
   }
 };
 

@@ -14,7 +14,6 @@
 namespace tissue
 {
 class AdjacencyComplex;
-class ReferenceAdjacency;
 
 struct SurfaceCleanUpParameters
 {
@@ -24,9 +23,6 @@ struct SurfaceCleanUpParameters
   /** A length for each vertex, so that the limit follows the local spacing (LocalSpacing.h): the limit of an edge is
    * maximumEdgeLength times the mean of its two ends' lengths. If empty, all lengths are 1. */
   std::vector<double> localLengths;
-  /** Whether a reference, if there is one, guides the clean-up: only edges that are no pair of it count as oversized,
-   * and no cell that does not touch the exterior in it is exposed. */
-  bool guidedByReference = false;
 };
 
 struct SurfaceCleanUpResult
@@ -43,7 +39,7 @@ struct SurfaceCleanUpResult
  * incident to it. Both are combinatorially legal operations that take one tetrahedron from the tissue, so the passes
  * end. */
 SurfaceCleanUpResult
-CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers,
              const SurfaceCleanUpParameters & parameters);
 
 } // namespace tissue

@@ -35,7 +35,7 @@ struct SurfaceTopology
 
 /** The boundary in an image: that of the Freudenthal-Kuhn subdivision of the grid of voxel centres, a closed surface in
  * any image, without a point where it touches itself. Two voxels hang together where one has the other's index or one
- * more along each axis; what is outside of the image is exterior. Voids are as they are in the volume (MergeVoids).
+ * more along each axis; what is outside of the image is exterior.
  * Planes are read in parallel; the cost is that of reading the image. */
 SurfaceTopology
 FindExteriorTopology(const LabelVolume & labels, const Execution & execution = Execution());

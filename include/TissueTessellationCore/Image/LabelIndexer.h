@@ -22,8 +22,6 @@ struct ExteriorLabels
   bool  hasLabel = false;
   Label label = 0;
   bool  zeroIsCell = false;
-  /** The number of enclosed voids. As many of the largest labels of the image stand for one void each. */
-  std::int32_t numberOfVoids = 0;
 
   bool
   Contains(Label other) const

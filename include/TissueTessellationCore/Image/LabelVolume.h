@@ -9,7 +9,6 @@
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -72,14 +71,6 @@ struct LabelVolume
   }
 };
 
-/** The volume with its voids, whose vertices follow those of the cells (the exterior counted), as the exterior's. */
-inline LabelVolume
-MergeVoids(LabelVolume volume, std::size_t numberOfCells)
-{
-  const auto isVoid = [numberOfCells](VertexId v) { return static_cast<std::size_t>(v) >= numberOfCells; };
-  std::replace_if(volume.vertices.begin(), volume.vertices.end(), isVoid, ExteriorVertex);
-  return volume;
-}
 } // namespace tissue
 
 #endif

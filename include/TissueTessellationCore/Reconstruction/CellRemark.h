@@ -28,9 +28,6 @@ enum class Remark
   Enclosed,
   /** The cell touches no other cell in the image, only the exterior. */
   Separated,
-  /** The cell's part of the tissue touches no other and is too small for a complex of its own; false walls join it to
-   * the nearest part. */
-  StrayPart,
   /** A piece of the cell apart from its largest one has a closed surface of its own in the mesh. Value: its voxels. */
   Fragment,
   /** A piece of the cell is too small for a surface of its own. Value: its voxels. */

@@ -36,9 +36,6 @@ struct ReconstructionParameters
   ComplexSource       source = ComplexSource::Image;
   AdjacencyPreference preference = AdjacencyPreference::Walls;
 
-  /** Whether parts of the tissue that share no junction have a complex each (TissueParts.h); else one joins them all.
-   */
-  bool separateParts = true;
   /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
    */
   double maximumEdgeLength = 0.0;
@@ -46,8 +43,6 @@ struct ReconstructionParameters
   /** Whether the automatic l_max follows the local spacing of the centres (LocalSpacing.h) in place of the median
    * distance; it does where no neighbours are known. */
   bool localMaximumEdgeLength = false;
-  /** See SurfaceCleanUpParameters::guidedByReference. */
-  bool guidedCleanUp = true;
 
   EnergyParameters    energy;
   AnnealingParameters annealing;

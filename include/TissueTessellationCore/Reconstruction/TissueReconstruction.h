@@ -52,14 +52,10 @@ struct TissueReconstruction
   bool                  isFitted = false;
   WallFittingStatistics fitting;
 
-  /** Parts of the tissue that share no junction: the exterior's link has as many spheres. */
-  std::size_t numberOfParts = 1;
   /** The l_max that was used; where it follows the local spacing, its median. */
   double                      maximumEdgeLength = 0.0;
   SurfaceCleanUpResult        cleanUp;
   std::vector<AnnealingCycle> cycles;
-  /** Vertices that found a better place after the cycles (VertexRelocation.h). */
-  std::size_t numberOfRelocatedVertices = 0;
   /** Of the optimized complex. */
   double                  energy = 0.0;
   std::vector<CellRemark> remarks;
@@ -69,17 +65,17 @@ struct TissueReconstruction
  *
  * The complex is taken from the image (ReconstructionParameters::source), or made of the cells' centres as in the paper
  * (sections 3 and 4.2): Delaunay, clean-up, optimization. Its dual is the mesh. With the `volume` that the junctions
- * come from, the walls are fitted to it unless the parameters say otherwise. What is done by `execution` is the same for
- * any number of threads.
+ * come from, the walls are fitted to it unless the parameters say otherwise. What is done by `execution` is the same
+ * for any number of threads.
  *
- * Every cell of `junctions` has its closed surface in the mesh. Voids are exterior. Of a complex from centres cells with
- * the same centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. Cells whose
+ * Every cell of `junctions` has its closed surface in the mesh. Voids are exterior. Of a complex from centres cells
+ * with the same centre are moved apart by a thousandth of the cells' typical distance; the remarks say so. Cells whose
  * neighbours are not known (a JunctionSet without walls, as of points alone) have statistics without adjacencies, l_max
  * by the local spacing of their centres, and no remarks that compare them with an image.
  *
  * \throws std::invalid_argument for parameters out of range, for a complex from the image without a volume, and, from
- * centres, for fewer than four cells and for cells whose centres are coplanar. \throws Aborted where `execution` asks to
- * stop. */
+ * centres, for fewer than four cells and for cells whose centres are coplanar. \throws Aborted where `execution` asks
+ * to stop. */
 TissueReconstruction
 ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
                   const LabelVolume * volume = nullptr, const Execution & execution = Execution());

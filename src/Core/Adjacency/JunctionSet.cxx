@@ -46,7 +46,7 @@ MedianNeighborDistance(const JunctionSet & junctions)
   std::vector<double> distances;
   for (const Wall & wall : junctions.walls)
   {
-    if (wall.cells[0] != ExteriorVertex && !junctions.IsVoid(wall.cells[1]))
+    if (wall.cells[0] != ExteriorVertex)
     {
       distances.push_back(Distance(junctions.cells[wall.cells[0]].center, junctions.cells[wall.cells[1]].center));
     }

@@ -12,43 +12,6 @@ namespace tissue
 {
 namespace
 {
-std::vector<VertexQuadruple>
-ListQuadruples(const std::vector<JunctionVote> & votes)
-{
-  std::vector<VertexQuadruple> quadruples;
-  quadruples.reserve(votes.size());
-  for (const JunctionVote & vote : votes)
-  {
-    quadruples.push_back(vote.cells);
-  }
-  return quadruples;
-}
-} // namespace
-
-JunctionVotes::JunctionVotes(VertexId numberOfVertices, const std::vector<JunctionVote> & votes)
-  : m_Quadruples(numberOfVertices, ListQuadruples(votes))
-  , m_Shares(votes.size())
-{
-  for (const JunctionVote & vote : votes)
-  {
-    m_Shares[static_cast<std::size_t>(m_Quadruples.Find(vote.cells))] = vote.share;
-  }
-}
-
-std::vector<JunctionVote>
-JunctionVotes::List() const
-{
-  std::vector<JunctionVote> votes;
-  votes.reserve(m_Shares.size());
-  for (const VertexQuadruple & quadruple : m_Quadruples.List())
-  {
-    votes.push_back({ quadruple, m_Shares[votes.size()] });
-  }
-  return votes;
-}
-
-namespace
-{
 /** The vertices of walls or junctions. */
 template <typename TEntry>
 auto
@@ -64,23 +27,13 @@ ListTuples(const std::vector<TEntry> & entries)
 }
 
 template <typename TTuple>
-void
-RenumberTuple(TTuple & tuple, const std::vector<VertexId> & ids)
-{
-  for (VertexId & v : tuple)
-  {
-    v = ids[v];
-  }
-  std::sort(tuple.begin(), tuple.end());
-}
-
-template <typename TTuple>
 std::vector<TTuple>
 RenumberTuples(std::vector<TTuple> tuples, const std::vector<VertexId> & ids)
 {
   for (TTuple & tuple : tuples)
   {
-    RenumberTuple(tuple, ids);
+    std::transform(tuple.begin(), tuple.end(), tuple.begin(), [&ids](VertexId v) { return ids[v]; });
+    std::sort(tuple.begin(), tuple.end());
   }
   std::sort(tuples.begin(), tuples.end());
   return tuples;
@@ -88,13 +41,11 @@ RenumberTuples(std::vector<TTuple> tuples, const std::vector<VertexId> & ids)
 } // namespace
 
 ReferenceAdjacency::ReferenceAdjacency(const JunctionSet & junctions)
-  : ReferenceAdjacency(junctions.NumberOfVertices(), ListTuples(junctions.walls), ListTuples(junctions.junctions),
-                       junctions.votes)
+  : ReferenceAdjacency(junctions.NumberOfVertices(), ListTuples(junctions.walls), ListTuples(junctions.junctions))
 {}
 
 ReferenceAdjacency::ReferenceAdjacency(VertexId numberOfVertices, const std::vector<VertexPair> & pairs,
-                                       const std::vector<VertexQuadruple> & quadruples,
-                                       const std::vector<JunctionVote> &    votes)
+                                       const std::vector<VertexQuadruple> & quadruples)
   : m_Smaller(static_cast<std::size_t>(numberOfVertices),
               [&pairs](const auto & add) {
                 for (const VertexPair & pair : pairs)
@@ -103,22 +54,14 @@ ReferenceAdjacency::ReferenceAdjacency(VertexId numberOfVertices, const std::vec
                 }
               })
   , m_Quadruples(numberOfVertices, quadruples)
-  , m_Votes(numberOfVertices, votes)
 {}
 
 ReferenceAdjacency
 ReferenceAdjacency::Renumbered(const std::vector<VertexId> & ids) const
 {
-  std::vector<JunctionVote> votes = m_Votes.List();
-  for (JunctionVote & vote : votes)
-  {
-    RenumberTuple(vote.cells, ids);
-  }
-  std::sort(
-    votes.begin(), votes.end(), [](const JunctionVote & a, const JunctionVote & b) { return a.cells < b.cells; });
-  return {
-    this->NumberOfVertices(), RenumberTuples(this->GetPairs(), ids), RenumberTuples(this->GetQuadruples(), ids), votes
-  };
+  return { this->NumberOfVertices(),
+           RenumberTuples(this->GetPairs(), ids),
+           RenumberTuples(this->GetQuadruples(), ids) };
 }
 
 bool

@@ -31,7 +31,7 @@ FindSeparatedCells(const JunctionSet & junctions, double reach)
   std::vector<bool>         touchesCell(cells.size(), false);
   for (const Wall & wall : junctions.walls)
   {
-    if (wall.cells[0] != ExteriorVertex && !junctions.IsVoid(wall.cells[1]))
+    if (wall.cells[0] != ExteriorVertex)
     {
       touchesCell[wall.cells[0]] = true;
       touchesCell[wall.cells[1]] = true;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <unordered_set>
 
 namespace tissue
 {
@@ -143,43 +142,6 @@ AdjacencyComplex::HasTriangle(VertexId a, VertexId b, VertexId c) const
   }
   const Ring ring = GetRing(a, b);
   return std::find(ring.vertices.begin(), ring.vertices.end(), c) != ring.vertices.end();
-}
-
-TetrahedronId
-AdjacencyComplex::FindIncidentTetrahedron(VertexId v) const
-{
-  if (!m_Edges[v].empty())
-  {
-    return m_Edges[v].front().incident;
-  }
-  // All edges of this vertex lead to vertices of larger index, whose lists hold them.
-  for (VertexId w = v + 1; w < NumberOfVertices(); ++w)
-  {
-    if (const Edge * const edge = FindEdge(v, w))
-    {
-      return edge->incident;
-    }
-  }
-  throw std::invalid_argument("AdjacencyComplex: vertex " + std::to_string(v) + " is in no tetrahedron");
-}
-
-std::vector<TetrahedronId>
-AdjacencyComplex::GetStar(VertexId v) const
-{
-  std::vector<TetrahedronId>        star{ FindIncidentTetrahedron(v) };
-  std::unordered_set<TetrahedronId> reached(star.begin(), star.end());
-  for (std::size_t k = 0; k < star.size(); ++k)
-  {
-    const Tetrahedron & t = m_Tetrahedra[star[k]];
-    for (int i = 0; i < 4; ++i)
-    {
-      if (t.vertices[i] != v && reached.insert(t.neighbors[i]).second)
-      {
-        star.push_back(t.neighbors[i]);
-      }
-    }
-  }
-  return star;
 }
 
 AdjacencyComplex::Ring

@@ -106,15 +106,6 @@ public:
     return m_NumberOfNeighbors[v];
   }
 
-  /** Returns a tetrahedron that is incident to the vertex.
-   * \throws std::invalid_argument where there is none. */
-  TetrahedronId
-  FindIncidentTetrahedron(VertexId v) const;
-
-  /** Returns all tetrahedra incident to the vertex, each once, in an order that depends on the history. */
-  std::vector<TetrahedronId>
-  GetStar(VertexId v) const;
-
   /** Returns the link of the edge (u, v).
    * \throws std::invalid_argument where u and v are not adjacent. */
   Ring

@@ -64,9 +64,8 @@ CountComponents(const Adjacency & adjacent)
 class Check
 {
 public:
-  Check(const AdjacencyComplex & complex, std::size_t numberOfParts)
+  explicit Check(const AdjacencyComplex & complex)
     : m_Complex(complex)
-    , m_NumberOfParts(numberOfParts)
     , m_Star(static_cast<std::size_t>(complex.NumberOfVertices()))
   {}
 
@@ -247,14 +246,11 @@ private:
     }
     const auto euler =
       static_cast<long>(adjacent.size()) - static_cast<long>(halfEdges / 2) + static_cast<long>(triangles.size());
-    const std::size_t spheres = v == ExteriorVertex ? m_NumberOfParts : 1;
     const std::size_t components = CountComponents(adjacent);
-    if (components != spheres || euler != 2 * static_cast<long>(spheres))
+    if (components != 1 || euler != 2)
     {
-      m_Violations.push_back("the link of vertex " + std::to_string(v) + " is not " +
-                             (spheres == 1 ? std::string("one sphere") : std::to_string(spheres) + " spheres") +
-                             ": Euler characteristic " + std::to_string(euler) + ", components " +
-                             std::to_string(components));
+      m_Violations.push_back("the link of vertex " + std::to_string(v) + " is not one sphere: Euler characteristic " +
+                             std::to_string(euler) + ", components " + std::to_string(components));
     }
   }
 
@@ -276,7 +272,6 @@ private:
   }
 
   const AdjacencyComplex &               m_Complex;
-  std::size_t                            m_NumberOfParts;
   std::vector<std::vector<VertexTriple>> m_Star; // The triangles of each vertex's link.
   std::map<VertexTriple, int>            m_Triangles;
   std::map<VertexPair, std::int32_t>     m_Degrees;
@@ -286,8 +281,8 @@ private:
 } // namespace
 
 std::vector<std::string>
-FindViolations(const AdjacencyComplex & complex, std::size_t numberOfParts)
+FindViolations(const AdjacencyComplex & complex)
 {
-  return Check(complex, numberOfParts).Run();
+  return Check(complex).Run();
 }
 } // namespace tissue

@@ -19,10 +19,9 @@ namespace tissue
  * In a valid complex a tetrahedron has four different vertices, and no other has the same; neighbours are symmetric,
  * across the same triangle, with opposite orientations; every triangle is in exactly two tetrahedra; the records of
  * edges and of numbers of neighbours are right; every vertex is there, and its link is one 2-sphere; the complex is one
- * piece. Where parts of the tissue touch in the exterior alone, the exterior's link is one sphere for each of them. All
- * of this is checked from scratch. */
+ * piece. All of this is checked from scratch. */
 std::vector<std::string>
-FindViolations(const AdjacencyComplex & complex, std::size_t numberOfParts = 1);
+FindViolations(const AdjacencyComplex & complex);
 } // namespace tissue
 
 #endif

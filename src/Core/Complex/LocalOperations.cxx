@@ -71,10 +71,6 @@ ToString(Verdict verdict)
       return "a new tetrahedron would be flat or inverted";
     case Verdict::DegreeAboveLimit:
       return "the degree of the edge is above the limit";
-    case Verdict::TooManyNeighbors:
-      return "the vertex has more than four neighbours";
-    case Verdict::TetrahedronExists:
-      return "the new tetrahedron exists already";
   }
   return "unknown";
 }
@@ -185,61 +181,6 @@ LocalOperations::FindFreeDiagonals(const AdjacencyComplex::Ring & ring) const
     }
   }
   return isFree;
-}
-
-Proposal
-LocalOperations::RemoveVertex(VertexId vertex) const
-{
-  if (m_Complex.NumberOfNeighbors(vertex) != 4)
-  {
-    return { Verdict::TooManyNeighbors, {} };
-  }
-  // With four neighbours the star is any tetrahedron (vertex, a, b, c) and its three neighbours around the vertex,
-  // which all have the fourth neighbour as their apex. The tetrahedron (apex, a, b, c) takes their place.
-  Proposal            proposal;
-  Replacement &       replacement = proposal.replacement;
-  const TetrahedronId first = m_Complex.FindIncidentTetrahedron(vertex);
-  const auto &        t = m_Complex.GetTetrahedron(first);
-  const int at = static_cast<int>(std::find(t.vertices.begin(), t.vertices.end(), vertex) - t.vertices.begin());
-  replacement.removed.push_back(first);
-  for (int i = 0; i < 4; ++i)
-  {
-    if (i != at)
-    {
-      replacement.removed.push_back(t.neighbors[i]);
-    }
-    replacement.removedEdges.push_back(SortedPair(vertex, t.vertices[i]));
-  }
-  const int      other = (at + 1) % 4;
-  const VertexId apex = m_Complex.GetTetrahedron(t.neighbors[other]).vertices[m_Complex.MirrorIndex(first, other)];
-  replacement.removedEdges[static_cast<std::size_t>(at)] = SortedPair(vertex, apex);
-  VertexQuadruple created = t.vertices;
-  created[at] = apex;
-  // It must not exist already, which it could on the other side of the triangle (a, b, c) alone.
-  const TetrahedronId beyond = t.neighbors[at];
-  if (m_Complex.GetTetrahedron(beyond).vertices[m_Complex.MirrorIndex(first, at)] == apex)
-  {
-    return { Verdict::TetrahedronExists, {} };
-  }
-  replacement.created.push_back(created);
-  return proposal;
-}
-
-Proposal
-LocalOperations::InsertVertex(VertexId vertex, TetrahedronId id) const
-{
-  Proposal                proposal;
-  Replacement &           replacement = proposal.replacement;
-  const VertexQuadruple & vertices = m_Complex.GetTetrahedron(id).vertices;
-  replacement.removed.push_back(id);
-  for (int i = 0; i < 4; ++i)
-  {
-    VertexQuadruple created = vertices;
-    created[i] = vertex;
-    replacement.created.push_back(created);
-    replacement.createdEdges.push_back(SortedPair(vertex, vertices[i]));
-  }
-  return proposal;
 }
 
 Proposal

@@ -30,11 +30,7 @@ enum class Verdict
   /** A created tetrahedron would be flat or inverted; for geometric legality only. */
   Inverted,
   /** More tetrahedra are incident to the edge than the limit allows. */
-  DegreeAboveLimit,
-  /** The vertex has more than four neighbours. */
-  TooManyNeighbors,
-  /** The tetrahedron that would replace a vertex exists already. */
-  TetrahedronExists
+  DegreeAboveLimit
 };
 
 /** Returns the verdict in words. */
@@ -101,16 +97,6 @@ public:
     };
     return ReplaceRing(edge, ring, LeastCostTriangulation(n, costIfFree));
   }
-
-  /** Vertex removal (4-1 flip): the four tetrahedra around a vertex become one. Only combinatorial legality is judged.
-   * Refused: TooManyNeighbors, TetrahedronExists. */
-  Proposal
-  RemoveVertex(VertexId vertex) const;
-
-  /** Vertex insertion (1-4 flip), the reverse: a tetrahedron becomes four around a vertex that is in none. It is always
-   * legal combinatorially, and nothing else is judged. */
-  Proposal
-  InsertVertex(VertexId vertex, TetrahedronId id) const;
 
 private:
   /** At [i * n + k], for i < k: whether the ring's vertices i and k may be joined. There is room for a ring of 12

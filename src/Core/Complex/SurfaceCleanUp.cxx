@@ -6,7 +6,6 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
-#include "Adjacency/ReferenceAdjacency.h"
 #include "Complex/AdjacencyComplex.h"
 #include "Complex/LocalOperations.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
@@ -20,11 +19,9 @@ namespace
 class CleanUp
 {
 public:
-  CleanUp(AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
-          const SurfaceCleanUpParameters & parameters)
+  CleanUp(AdjacencyComplex & complex, const std::vector<Point> & centers, const SurfaceCleanUpParameters & parameters)
     : m_Complex(complex)
     , m_Centers(centers)
-    , m_Guide(parameters.guidedByReference ? reference : nullptr)
     , m_Parameters(parameters)
     , m_Operations(complex, centers, Legality::Combinatorial)
   {}
@@ -45,7 +42,7 @@ private:
   bool
   IsOversized(VertexId u, VertexId v) const
   {
-    return Distance(m_Centers[u], m_Centers[v]) > MaximumEdgeLength(u, v) && !(m_Guide && m_Guide->HasPair(u, v));
+    return Distance(m_Centers[u], m_Centers[v]) > MaximumEdgeLength(u, v);
   }
 
   double
@@ -74,8 +71,7 @@ private:
   }
 
   /** Removes the surface triangle of tetrahedron `id`, opposite to its vertex `i`, the exterior, if it is oversized: by
-   * a swap, or, where that is illegal or exposes a cell that is inside in the guide, by the removal of an oversized
-   * edge of degree 3. */
+   * a swap, or, where that is illegal, by the removal of an oversized edge of degree 3. */
   void
   CleanTriangle(TetrahedronId id, int i)
   {
@@ -85,16 +81,11 @@ private:
     {
       return;
     }
-    const auto     neighbor = m_Complex.GetTetrahedron(id).neighbors[i];
-    const VertexId behind = m_Complex.GetTetrahedron(neighbor).vertices[m_Complex.MirrorIndex(id, i)];
-    if (!m_Guide || m_Guide->HasPair(ExteriorVertex, behind))
+    if (const Proposal swap = m_Operations.SwapTriangle(id, i))
     {
-      if (const Proposal swap = m_Operations.SwapTriangle(id, i))
-      {
-        m_Complex.Apply(swap.replacement);
-        ++m_Result.numberOfSwaps;
-        return;
-      }
+      m_Complex.Apply(swap.replacement);
+      ++m_Result.numberOfSwaps;
+      return;
     }
     for (const VertexPair & edge : edges)
     {
@@ -114,7 +105,6 @@ private:
 
   AdjacencyComplex &               m_Complex;
   const std::vector<Point> &       m_Centers;
-  const ReferenceAdjacency *       m_Guide;
   const SurfaceCleanUpParameters & m_Parameters;
   LocalOperations                  m_Operations;
   SurfaceCleanUpResult             m_Result;
@@ -122,10 +112,10 @@ private:
 } // namespace
 
 SurfaceCleanUpResult
-CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+CleanSurface(AdjacencyComplex & complex, const std::vector<Point> & centers,
              const SurfaceCleanUpParameters & parameters)
 {
-  return CleanUp(complex, centers, reference, parameters).Run();
+  return CleanUp(complex, centers, parameters).Run();
 }
 
 } // namespace tissue

@@ -126,10 +126,7 @@ CountVoxelsOfImage(VertexId numberOfVertices, const LabelVolume & labels)
   std::vector<std::int64_t> counts(static_cast<std::size_t>(numberOfVertices), 0);
   for (const VertexId v : labels.vertices)
   {
-    if (v < numberOfVertices) // Voids come after the cells.
-    {
-      ++counts[v];
-    }
+    ++counts[v];
   }
   return counts;
 }

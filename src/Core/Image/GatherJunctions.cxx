@@ -279,8 +279,7 @@ JunctionSet
 GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point & spacing,
                 const ExteriorLabels & exterior)
 {
-  // Cells come first, as they give all else its numbers. The walls then tell which cells touch the exterior or a void,
-  // after which the voids, the last of the cells, are set apart.
+  // Cells come first, as they give all else its numbers. The walls then tell which cells touch the exterior.
   JunctionSet      set;
   const VertexMaps maps = MakeCells(scans, exterior, set.cells);
   DisjointSets     pieceSets = JoinPieces(scans);
@@ -290,19 +289,12 @@ GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point 
     cell.volume = static_cast<double>(cell.numberOfVoxels) * spacing[0] * spacing[1] * spacing[2];
   }
   set.walls = GatherWalls(scans, maps, spacing);
-  const auto firstVoid = static_cast<VertexId>(set.cells.size()) - exterior.numberOfVoids;
   for (const Wall & wall : set.walls)
   {
-    if (wall.cells[0] == ExteriorVertex || wall.cells[1] >= firstVoid)
+    if (wall.cells[0] == ExteriorVertex)
     {
-      set.cells[wall.cells[wall.cells[0] == ExteriorVertex ? 1 : 0]].touchesExterior = true;
+      set.cells[wall.cells[1]].touchesExterior = true;
     }
-  }
-  set.voids.assign(set.cells.begin() + firstVoid, set.cells.end());
-  set.cells.resize(static_cast<std::size_t>(firstVoid));
-  for (Cell & enclosed : set.voids)
-  {
-    enclosed.label = set.cells[ExteriorVertex].label;
   }
   set.tripleLines = GatherTripleLines(scans, maps);
   set.junctions = GatherQuadruples(scans, maps);

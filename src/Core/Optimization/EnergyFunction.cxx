@@ -41,7 +41,7 @@ EnergyFunction::EnergyFunction(const AdjacencyComplex & complex, const std::vect
 void
 EnergyFunction::Recompute()
 {
-  // Every term of the energy is a function of sums over tetrahedra, edges and cells.
+  // Every term of the energy is a function of sums over tetrahedra and cells.
   m_Sums = Sums();
   for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
   {
@@ -49,10 +49,6 @@ EnergyFunction::Recompute()
     {
       AddTetrahedron(m_Complex.GetTetrahedron(id).vertices, +1, m_Sums);
     }
-  }
-  for (const AdjacencyComplex::Edge & edge : m_Complex.GetEdges())
-  {
-    AddEdge(edge.vertices, +1, m_Sums);
   }
   for (VertexId v = ExteriorVertex + 1; v < m_Complex.NumberOfVertices(); ++v)
   {
@@ -66,27 +62,14 @@ EnergyFunction::Evaluate(const Sums & sums) const
   double image = 0.0;
   if (m_Reference)
   {
-    image = m_Parameters.adjacencyWeight * this->QuadrupleTerm(sums) +
-            m_Parameters.pairWeight * Jaccard(static_cast<std::size_t>(sums.pairHits),
-                                              static_cast<std::size_t>(sums.edges),
-                                              m_Reference->NumberOfPairs());
+    image = m_Parameters.adjacencyWeight * Jaccard(static_cast<std::size_t>(sums.hits),
+                                                   static_cast<std::size_t>(sums.tetrahedra),
+                                                   m_Reference->NumberOfQuadruples());
   }
   const auto cells = static_cast<double>(m_Complex.NumberOfVertices() - 1);
   return -image + m_Parameters.neighborWeight * sums.prior / cells +
          m_Parameters.delaunayWeight * sums.delaunayDeviation / cells +
          m_Parameters.lengthWeight * sums.length / (static_cast<double>(sums.tetrahedra) * m_Parameters.unitLength);
-}
-
-double
-EnergyFunction::QuadrupleTerm(const Sums & sums) const
-{
-  const std::size_t quadruples = m_Reference->NumberOfQuadruples();
-  if (m_Reference->HasVotes())
-  {
-    return (sums.votes - m_Parameters.leastVote * static_cast<double>(sums.tetrahedra)) /
-           static_cast<double>(quadruples);
-  }
-  return Jaccard(static_cast<std::size_t>(sums.hits), static_cast<std::size_t>(sums.tetrahedra), quadruples);
 }
 
 double
@@ -116,24 +99,10 @@ EnergyFunction::NeighborDeviation(std::int32_t numberOfNeighbors, bool touchesEx
 }
 
 void
-EnergyFunction::AddEdge(VertexPair edge, int sign, Sums & sums) const
-{
-  sums.edges += sign;
-  if (m_Reference && m_Parameters.pairWeight != 0.0 && m_Reference->HasPair(edge[0], edge[1]))
-  {
-    sums.pairHits += sign;
-  }
-}
-
-void
 EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums & sums) const
 {
   sums.tetrahedra += sign;
-  if (m_Reference && m_Reference->HasVotes())
-  {
-    sums.votes += sign * m_Reference->Certainty(vertices);
-  }
-  else if (m_Reference && m_Reference->HasQuadruple(vertices))
+  if (m_Reference && m_Reference->HasQuadruple(vertices))
   {
     sums.hits += sign;
   }
@@ -150,7 +119,7 @@ EnergyFunction::AddTetrahedron(const VertexQuadruple & vertices, int sign, Sums 
 EnergyFunction::Sums
 EnergyFunction::SumsAfter(const Replacement & replacement) const
 {
-  // The sums over tetrahedra and edges change by those that go and come.
+  // The sums over tetrahedra change by those that go and come.
   Sums sums = m_Sums;
   for (const TetrahedronId id : replacement.removed)
   {
@@ -159,14 +128,6 @@ EnergyFunction::SumsAfter(const Replacement & replacement) const
   for (const VertexQuadruple & vertices : replacement.created)
   {
     AddTetrahedron(vertices, +1, sums);
-  }
-  for (const VertexPair & edge : replacement.removedEdges)
-  {
-    AddEdge(edge, -1, sums);
-  }
-  for (const VertexPair & edge : replacement.createdEdges)
-  {
-    AddEdge(edge, +1, sums);
   }
   if (m_Parameters.neighborWeight == 0.0)
   {

@@ -20,15 +20,12 @@ namespace tissue
 
 /** \brief The energy of a complex (paper, equations 1 to 4), kept up to date with it.
  *
- * E = - w_adjacency |T & S| / |T | S| - w_pair |E_T & E_S| / |E_T | E_S| + w_neighbor mean over cells of (n - N)^2
+ * E = - w_adjacency |T & S| / |T | S| + w_neighbor mean over cells of (n - N)^2
  *     + w_length mean over tetrahedra of the longest edge + w_Delaunay sum of deviations a cell,
- * where T and E_T are the tetrahedra and the edges of the complex, S and E_S the quadruples and the pairs of the
- * reference, and n is the number of a cell's neighbours. Its ideal number N is innerNeighbors; for a cell that touches
- * the exterior, which counts as a neighbour, it is epidermalNeighbors + 1. The longest edge of a tetrahedron with the
+ * where T are the tetrahedra of the complex, S the quadruples of the reference, and n is the number of a cell's
+ * neighbours. Its ideal number N is innerNeighbors; for a cell that touches the exterior, which counts as a neighbour,
+ * it is epidermalNeighbors + 1. The longest edge of a tetrahedron with the
  * exterior, which has no position, is that of its triangle of cells.
- *
- * Where the reference has votes, (sum over T of (share of the votes - leastVote)) / |S| takes the place of
- * |T & S| / |T | S|: what is sure counts for more than what is just likely.
  *
  * All terms are functions of sums over the elements of the complex, which are kept. So Difference() takes a time that
  * grows with the size of the replacement alone. */
@@ -70,42 +67,24 @@ public:
     return m_Reference;
   }
 
-  /** Returns the number of tetrahedra that are in the reference. */
-  std::int64_t
-  NumberOfHits() const
-  {
-    return m_Sums.hits;
-  }
-
 private:
   /** The sums over the elements of the complex of which the energy is a function. */
   struct Sums
   {
     std::int64_t hits = 0;
     std::int64_t tetrahedra = 0;
-    std::int64_t pairHits = 0;
-    std::int64_t edges = 0;
     double       prior = 0.0;
     double       length = 0.0;
     double       delaunayDeviation = 0.0;
-    double       votes = 0.0;
   };
 
   /** Returns the energy for some sums. */
   double
   Evaluate(const Sums & sums) const;
 
-  /** Returns |T & S| / |T | S|, or what takes its place with votes. */
-  double
-  QuadrupleTerm(const Sums & sums) const;
-
   /** Returns the sums after a replacement that has not been carried out yet. */
   Sums
   SumsAfter(const Replacement & replacement) const;
-
-  /** Adds an edge to the sums with sign +1, and takes it away with sign -1. */
-  void
-  AddEdge(VertexPair edge, int sign, Sums & sums) const;
 
   /** Adds a tetrahedron to the sums with sign +1, and takes it away with sign -1. */
   void

@@ -7,8 +7,10 @@
 #ifndef TissueTessellationCore_TopologyOptimizer_h
 #define TissueTessellationCore_TopologyOptimizer_h
 
-#include "Optimization/FocusedAnnealing.h"
-#include "Optimization/VertexRelocation.h"
+#include "Complex/LocalOperations.h"
+#include "Optimization/EnergyFunction.h"
+#include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Optimization/OptimizationParameters.h"
 
 namespace tissue
@@ -20,7 +22,7 @@ namespace tissue
  * by their energy difference, ascending. In that order each is carried out if it is still legal and is accepted at its
  * difference at that time: always where it lowers the energy, else with probability exp(-difference / temperature).
  *
- * The complex ends in the state of least energy seen at the end of a cycle or round, or at the start. The same input,
+ * The complex ends in the state of least energy seen at the end of a cycle, or at the start. The same input,
  * parameters and seed give the same result. */
 class TopologyOptimizer
 {
@@ -31,33 +33,33 @@ public:
                     const ReferenceAdjacency * reference, const EnergyParameters & energy,
                     const AnnealingParameters & annealing);
 
-  /** Runs all cycles and, if asked for, the focused annealing; returns what happened in each cycle.
+  /** Runs all cycles and returns what happened in each.
    * \throws Aborted where `execution` asks to stop; the complex is then valid, but not yet optimal. */
   std::vector<AnnealingCycle>
   Run(const Execution & execution = Execution());
-
-  /** Returns how often the last Run() moved a vertex to a better place. */
-  std::size_t
-  NumberOfRelocatedVertices() const
-  {
-    return m_NumberOfRelocatedVertices;
-  }
 
   /** Returns the energy of the complex. */
   double
   Energy() const
   {
-    return m_State.energy.Total();
+    return m_Energy.Total();
   }
 
 private:
   struct Candidate;
 
-  std::vector<AnnealingCycle>
-  RunCycles(const Execution & execution);
-
+  /** Proposes the removal of an edge, its ring triangulated by the rule. */
   Proposal
   ProposeRemoval(VertexPair edge) const;
+
+  /** Carries out a proposal if it is accepted, by the Metropolis rule: a legal one is where it lowers the energy, else
+   * with probability exp(-difference / temperature). Returns whether it was. */
+  bool
+  Try(const Proposal & proposal, double temperature);
+
+  /** Returns the vertex on the other side of triangle i of a tetrahedron. */
+  VertexId
+  VertexBehind(TetrahedronId id, int i) const;
 
   /** Does one phase at a temperature and returns the number of edges that it removed. */
   std::size_t
@@ -71,10 +73,12 @@ private:
   double
   OneElement() const;
 
-  AnnealingState      m_State;
+  AdjacencyComplex &  m_Complex;
+  LocalOperations     m_Operations;
+  EnergyFunction      m_Energy;
+  Random              m_Random;
   EnergyParameters    m_EnergyParameters;
   AnnealingParameters m_Annealing;
-  std::size_t         m_NumberOfRelocatedVertices = 0;
 };
 } // namespace tissue
 

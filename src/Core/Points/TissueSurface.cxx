@@ -48,7 +48,7 @@ CleanedComplex(const MirroredCenters & centers)
   SurfaceCleanUpParameters cleanUp;
   cleanUp.maximumEdgeLength = MaximumEdgeLength;
   cleanUp.localLengths = centers.spacings;
-  CleanSurface(complex, centers.positions, nullptr, cleanUp);
+  CleanSurface(complex, centers.positions, cleanUp);
   return complex;
 }
 } // namespace

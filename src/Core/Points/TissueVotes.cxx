@@ -66,7 +66,7 @@ std::vector<VertexQuadruple>
 FindQuadruples(const std::vector<Label> & labels, const TissueGrid & grid)
 {
   const auto [sizeX, sizeY, sizeZ] = grid.size;
-  BlockScan scan(grid.size, 1, { true, 0, false, 0 });
+  BlockScan scan(grid.size, 1, { true, 0, false });
   for (std::int32_t z = -1; z <= sizeZ; ++z)
   {
     scan.BeginPlane();

@@ -37,15 +37,8 @@ constexpr RemarkWords Words[] = {
     "cutByBorder",
     "lies on the border of the image and may be cut there",
     "on the border of the image, where they may be cut" },
-  { Remark::Enclosed,
-    "enclosed",
-    "is enclosed in the cell of label {value}",
-    "enclosed in one other cell" },
+  { Remark::Enclosed, "enclosed", "is enclosed in the cell of label {value}", "enclosed in one other cell" },
   { Remark::Separated, "separated", "touches no other cell", "without a neighbour in the image" },
-  { Remark::StrayPart,
-    "strayPart",
-    "is in a small part of the tissue that touches no other; false walls join it to the nearest part",
-    "in small parts that touch no other, joined to the nearest part by false walls" },
   { Remark::Fragment,
     "fragment",
     "has a piece of {value} voxel{s} apart from the rest, with a closed surface of its own",
@@ -210,7 +203,7 @@ CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions)
     const bool touches = complex.HasPair(ExteriorVertex, v);
     add(cell.numberOfPieces > 1, Remark::SeveralPieces, static_cast<double>(cell.numberOfStrayVoxels));
     add(cell.touchesBorder, Remark::CutByBorder, 0.0);
-    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.CellOfVertex(count.neighbor).label));
+    add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.cells[count.neighbor].label));
     add(isAlone && isInExterior, Remark::Separated, 0.0);
     add(cell.touchesExterior && !touches, Remark::ExteriorLost, 0.0);
     add(!cell.touchesExterior && touches, Remark::ExteriorGained, 0.0);

@@ -5,7 +5,6 @@
  *
  *=========================================================================*/
 #include "Adjacency/ReferenceAdjacency.h"
-#include "Adjacency/TissueParts.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
 #include "Dual/CellCorners.h"
@@ -39,33 +38,12 @@ Renumbered(std::vector<VertexQuadruple> tetrahedra, const std::vector<VertexId> 
   return tetrahedra;
 }
 
-/** The Delaunay tetrahedralization of each part of the tissue, closed by the exterior. */
-std::vector<VertexQuadruple>
-TetrahedralizeParts(const TissueCells & cells, const TissueParts & parts)
-{
-  std::vector<VertexQuadruple> tetrahedra;
-  for (const std::vector<VertexId> & part : parts.parts)
-  {
-    std::vector<VertexId> vertices{ ExteriorVertex };
-    vertices.insert(vertices.end(), part.begin(), part.end());
-    std::vector<Point> points;
-    for (const VertexId v : vertices)
-    {
-      points.push_back(cells.centers[v]);
-    }
-    const auto ofPart = Renumbered(DelaunayTetrahedralization(points), vertices);
-    tetrahedra.insert(tetrahedra.end(), ofPart.begin(), ofPart.end());
-  }
-  return tetrahedra;
-}
-
 /** How the Delaunay complex is to be cleaned. */
 SurfaceCleanUpParameters
 MakeCleanUp(const JunctionSet & junctions, const ReconstructionParameters & parameters,
             const AdjacencyComplex & complex, const std::vector<Point> & centers)
 {
   SurfaceCleanUpParameters cleanUp;
-  cleanUp.guidedByReference = parameters.guidedCleanUp;
   cleanUp.maximumEdgeLength = parameters.maximumEdgeLength;
   if (!(parameters.maximumEdgeLength > 0.0))
   {
@@ -93,14 +71,7 @@ TissueComplex
 MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters & parameters,
                        TissueReconstruction & result, const Execution & execution)
 {
-  Stopwatch         stopwatch;
-  const TissueParts parts =
-    parameters.separateParts ? FindTissueParts(cells.junctions, cells.centers) : JoinTissueParts(cells.junctions);
-  result.numberOfParts = parts.parts.size();
-  for (const VertexId cell : parts.strayCells)
-  {
-    result.remarks.push_back({ cell, Remark::StrayPart, 0.0 });
-  }
+  Stopwatch stopwatch;
   // The vertices are renumbered by their ranks on the way in, and back on the way out: on large tissues much of the
   // time would else go to fetching what lies far apart.
   std::vector<Point> centers;
@@ -118,19 +89,18 @@ MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters
     stopwatch.Lap();
   };
   const auto       numberOfVertices = static_cast<VertexId>(centers.size());
-  AdjacencyComplex complex(numberOfVertices, Renumbered(TetrahedralizeParts(cells, parts), cells.ranks));
+  AdjacencyComplex complex(numberOfVertices, DelaunayTetrahedralization(centers));
   addStage("delaunay", complex);
   execution.Report(DelaunayShare);
 
   const SurfaceCleanUpParameters cleanUp = MakeCleanUp(cells.junctions, parameters, complex, centers);
   result.maximumEdgeLength =
     cleanUp.maximumEdgeLength * (cleanUp.localLengths.empty() ? 1.0 : MedianSpacing(cleanUp.localLengths));
-  result.cleanUp = CleanSurface(complex, centers, &reference, cleanUp);
+  result.cleanUp = CleanSurface(complex, centers, cleanUp);
   addStage("cleaned", complex);
 
   TopologyOptimizer optimizer(complex, centers, &reference, parameters.energy, parameters.annealing);
   result.cycles = optimizer.Run(execution.Part(DelaunayShare, 1.0));
-  result.numberOfRelocatedVertices = optimizer.NumberOfRelocatedVertices();
   result.energy = optimizer.Energy();
   addStage("optimized", complex);
 

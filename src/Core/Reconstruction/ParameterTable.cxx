@@ -17,8 +17,6 @@ namespace
 using P = ReconstructionParameters;
 using Energy = EnergyParameters;
 using Annealing = AnnealingParameters;
-using Focus = FocusedAnnealingParameters;
-using Relocation = VertexRelocationParameters;
 
 // Limits that no sensible value comes near. They keep the arithmetic finite.
 constexpr double         LargestLength = 1e12;
@@ -26,8 +24,6 @@ constexpr ParameterRange Weight{ 0.0, 1e6 };
 constexpr ParameterRange Temperature{ 1e-9, 1e6 };
 constexpr ParameterRange Degree{ 3.0, 1e6 };
 constexpr ParameterRange Repetitions{ 0.0, 1000.0 };
-constexpr ParameterRange Proposals{ 0.0, 1e6 };
-constexpr ParameterRange Share{ 0.0, 1.0 };
 constexpr ParameterRange Neighbors{ 1.0, 100.0 };
 
 /** The member at the end of a path of members. */
@@ -81,14 +77,6 @@ AddCleanUp(std::vector<Parameter> & table)
   Add("localMaximumEdgeLength",
       "Whether the automatic l_max follows the local spacing of the centres (true or false)",
       BooleanParameter{ At<&P::localMaximumEdgeLength> },
-      table);
-  Add("separateParts",
-      "Whether parts that share no junction are apart (true or false)",
-      BooleanParameter{ At<&P::separateParts> },
-      table);
-  Add("guidedCleanUp",
-      "Whether the image guides the clean-up (true or false)",
-      BooleanParameter{ At<&P::guidedCleanUp> },
       table);
 }
 
@@ -184,14 +172,6 @@ AddFixed(std::vector<Parameter> & table)
       MakeEnumeration<&P::source>({ { "centers", static_cast<int>(ComplexSource::Centers) },
                                     { "image", static_cast<int>(ComplexSource::Image) } }),
       table);
-  Add("pairWeight",
-      "Weight of the image term for pairs of cells",
-      RealParameter{ At<&P::energy, &Energy::pairWeight>, Weight },
-      table);
-  Add("leastVote",
-      "Share of the votes from which on a tetrahedron is better than none",
-      RealParameter{ At<&P::energy, &Energy::leastVote>, Share },
-      table);
   Add("epidermalNeighbors",
       "Ideal number of neighbouring cells of an epidermal cell",
       RealParameter{ At<&P::energy, &Energy::epidermalNeighbors>, Neighbors },
@@ -199,72 +179,6 @@ AddFixed(std::vector<Parameter> & table)
   Add("innerNeighbors",
       "Ideal number of neighbouring cells of an inner cell",
       RealParameter{ At<&P::energy, &Energy::innerNeighbors>, Neighbors },
-      table);
-  Add("focusedAnnealing",
-      "Whether the complex is annealed again where it is wrong",
-      BooleanParameter{ At<&P::annealing, &Annealing::isFocused> },
-      table);
-  Add("focusedRounds",
-      "Rounds of the focused annealing",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::numberOfRounds>, Repetitions },
-      table);
-  Add("relocationWrongShare",
-      "Share of wrong tetrahedra from which on another place is tried for a vertex",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::wrongShare>, { 0.0, 1e6 } },
-      table);
-}
-
-void
-AddFocus(std::vector<Parameter> & table)
-{
-  Add("focusedInitialTemperature",
-      "Temperature of the first round of the focused annealing",
-      RealParameter{ At<&P::annealing, &Annealing::focus, &Focus::initialTemperature>, Temperature },
-      table);
-  Add("focusedFinalTemperature",
-      "Temperature of the last round of the focused annealing",
-      RealParameter{ At<&P::annealing, &Annealing::focus, &Focus::finalTemperature>, Temperature },
-      table);
-  Add("focusedProposals",
-      "Operations proposed in a round of the focused annealing for each tetrahedron",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::proposalsPerTetrahedron>, Proposals },
-      table);
-  Add("focusedMaximumDegree",
-      "Largest degree of an edge that the focused annealing removes",
-      IntegerParameter{ At<&P::annealing, &Annealing::focus, &Focus::maximumDegree>, Degree },
-      table);
-  Add("returnsFromMelting",
-      "Whether a complex that has lost a fifth of the best energy goes back to it",
-      BooleanParameter{ At<&P::annealing, &Annealing::focus, &Focus::returnsFromMelting> },
-      table);
-}
-
-void
-AddRelocation(std::vector<Parameter> & table)
-{
-  Add("relocationLargestShare",
-      "Largest share of the vertices that are tried at another place",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::largestShare>, Share },
-      table);
-  Add("relocationPlaces",
-      "Places that are tried for a vertex",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::numberOfPlaces>, Repetitions },
-      table);
-  Add("relocationRounds",
-      "Rounds of annealing around a vertex at its new place",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::numberOfRounds>, Repetitions },
-      table);
-  Add("relocationProposals",
-      "Operations proposed in such a round for each tetrahedron",
-      IntegerParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::proposalsPerTetrahedron>, Proposals },
-      table);
-  Add("relocationInitialTemperature",
-      "Temperature of the first of these rounds",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::initialTemperature>, Temperature },
-      table);
-  Add("relocationFinalTemperature",
-      "Temperature of the last of these rounds",
-      RealParameter{ At<&P::annealing, &Annealing::relocation, &Relocation::finalTemperature>, Temperature },
       table);
 }
 
@@ -298,8 +212,6 @@ MakeTable()
       SeedParameter{ At<&P::annealing, &Annealing::seed>, { 0.0, 9007199254740992.0 } },
       table);
   addGroup(ParameterUse::Fixed, AddFixed);
-  addGroup(ParameterUse::Internal, AddFocus);
-  addGroup(ParameterUse::Internal, AddRelocation);
   addGroup(ParameterUse::Internal, AddSwitches);
   return table;
 }

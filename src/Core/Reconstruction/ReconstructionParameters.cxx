@@ -15,13 +15,11 @@ namespace tissue
 ReconstructionParameters::ReconstructionParameters()
 {
   // The image tells the neighbours: the terms without it only pull away from what it shows.
-  energy.pairWeight = 0.8;
   energy.neighborWeight = 0.0;
   energy.lengthWeight = 0.0;
   annealing.legality = Legality::Combinatorial;
   annealing.ringRule = RingRule::BestOfReference;
   annealing.maximumDegree = 12;
-  annealing.isFocused = true;
 }
 
 ReconstructionParameters
@@ -38,10 +36,8 @@ ReconstructionParameters
 ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
-  parameters.separateParts = false;
   parameters.source = ComplexSource::Centers;
   parameters.maximumEdgeLengthFactor = 1.4;
-  parameters.guidedCleanUp = false;
   parameters.energy = EnergyParameters();
   parameters.annealing = AnnealingParameters();
   parameters.corners = CornerRule::ProjectedCircumcenter;

@@ -30,7 +30,6 @@ struct TissueComplex
 /** The tissue as the ways to its complex take it. */
 struct TissueCells
 {
-  /** Without voids: they are the exterior. */
   const JunctionSet & junctions;
   /** All different. */
   const std::vector<Point> & centers;
@@ -41,9 +40,8 @@ struct TissueCells
 
 /** Takes the complex from the image (ImageTopology.h); `result` gets its tetrahedra, its stages, and remarks. */
 TissueComplex
-TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume,
-                     const ReconstructionParameters & parameters, TissueReconstruction & result,
-                     const Execution & execution);
+TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume, const ReconstructionParameters & parameters,
+                     TissueReconstruction & result, const Execution & execution);
 
 /** Makes the complex from the centres of the cells (paper, section 3); likewise. */
 TissueComplex

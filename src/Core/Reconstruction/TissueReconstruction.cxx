@@ -11,7 +11,6 @@
 #include "Geometry/SpatialOrder.h"
 #include "Reconstruction/TissueComplex.h"
 #include "Remeshing/WallRefinement.h"
-#include "TissueTessellationCore/Adjacency/Voids.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
@@ -161,8 +160,8 @@ MakeStage(const std::string & name, double seconds, const std::vector<VertexQuad
 }
 
 TissueReconstruction
-ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & parameters, const LabelVolume * volume,
-                  const Execution & execution)
+ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters & parameters,
+                  const LabelVolume * volume, const Execution & execution)
 {
   parameters.Check();
   if (parameters.source == ComplexSource::Image && volume == nullptr)
@@ -170,29 +169,23 @@ ReconstructTissue(const JunctionSet & image, const ReconstructionParameters & pa
     throw std::invalid_argument("ReconstructTissue: a complex from the image needs the label volume");
   }
   TissueReconstruction        result;
-  const JunctionSet           junctions = MergeVoids(image);
   const std::vector<Point>    centers = SeparateCenters(junctions, result.remarks);
   const std::vector<VertexId> order = SpatialOrder(centers);
   const std::vector<VertexId> ranks = RanksInOrder(order);
   const TissueCells           cells{ junctions, centers, order, ranks };
-  const bool                  hasVoids = volume != nullptr && !image.voids.empty();
-  const LabelVolume           merged = hasVoids ? MergeVoids(*volume, image.cells.size()) : LabelVolume();
-  const LabelVolume * const   labels = hasVoids ? &merged : volume;
   const Execution             first = execution.Part(0.0, ComplexShare);
   TissueComplex               complex = parameters.source == ComplexSource::Image
-                                          ? TakeComplexFromImage(cells, *labels, parameters, result, first)
+                                          ? TakeComplexFromImage(cells, *volume, parameters, result, first)
                                           : MakeComplexFromCenters(cells, parameters, result, first);
 
   Stopwatch             stopwatch;
   const AdjacencyTuples tuples = complex.tuples;
-  result.isFitted = labels != nullptr && parameters.fitToImage;
-  result.walls = result.isFitted ? MakeFittedWalls(std::move(complex),
-                                                   cells,
-                                                   *labels,
-                                                   parameters,
-                                                   result.fitting,
-                                                   execution.Part(ComplexShare, 1.0))
-                                 : MakeStarWalls(complex.dual.mesh, parameters);
+  result.isFitted = volume != nullptr && parameters.fitToImage;
+  result.walls =
+    result.isFitted
+      ? MakeFittedWalls(
+          std::move(complex), cells, *volume, parameters, result.fitting, execution.Part(ComplexShare, 1.0))
+      : MakeStarWalls(complex.dual.mesh, parameters);
   result.remarks = GatherRemarks(tuples, junctions, result);
   result.dualSeconds = stopwatch.Lap().wallSeconds;
   execution.Report(1.0);

@@ -53,29 +53,3 @@ TEST(ReferenceAdjacency, RenumberedHoldsTheSameTuplesByTheirNewIds)
     EXPECT_TRUE(renumbered.HasPair(ids[pair[0]], ids[pair[1]]));
   }
 }
-
-TEST(ReferenceAdjacency, IsAsSureOfQuadruplesAsTheVotesWhereThereAreSome)
-{
-  const AdjacencyComplex      complex(6, Bipyramid(3));
-  JunctionSet                 junctions = JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3)));
-  const VertexQuadruple       known = junctions.junctions.front().cells;
-  const std::vector<VertexId> ids{ 0, 4, 5, 2, 1, 3 };
-  const ReferenceAdjacency    without(junctions);
-  EXPECT_FALSE(without.HasVotes());
-  EXPECT_EQ(without.Certainty(known), 1.0);
-  EXPECT_EQ(without.Certainty({ { 0, 3, 4, 5 } }), 0.0);
-
-  junctions.votes = { { { { 0, 1, 3, 5 } }, 0.75 }, { { { 0, 3, 4, 5 } }, 0.25 } };
-  for (const bool isRenumbered : { false, true })
-  {
-    const ReferenceAdjacency reference =
-      isRenumbered ? ReferenceAdjacency(junctions).Renumbered(ids) : ReferenceAdjacency(junctions);
-    const auto certainty = [&](const VertexQuadruple & q) {
-      return reference.Certainty(isRenumbered ? VertexQuadruple{ { ids[q[0]], ids[q[1]], ids[q[2]], ids[q[3]] } } : q);
-    };
-    EXPECT_TRUE(reference.HasVotes());
-    EXPECT_EQ(certainty({ { 0, 1, 3, 5 } }), 0.75);
-    EXPECT_EQ(certainty({ { 0, 3, 4, 5 } }), 0.25);
-    EXPECT_EQ(certainty({ { 0, 1, 2, 4 } }), 0.0);
-  }
-}

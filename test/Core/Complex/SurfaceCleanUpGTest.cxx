@@ -4,7 +4,6 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Adjacency/ReferenceAdjacency.h"
 #include "TestComplexes.h"
 #include "TissueTessellationCore/Complex/SurfaceCleanUp.h"
 
@@ -35,45 +34,6 @@ LShape()
   return centers;
 }
 
-/** The L as an image would show it: cells at a lattice step are neighbours, those at the surface of the lattice touch
- * the exterior. */
-JunctionSet
-LShapeJunctions(const std::vector<Point> & centers)
-{
-  JunctionSet junctions;
-  junctions.cells.resize(centers.size());
-  const auto n = static_cast<VertexId>(centers.size());
-  for (VertexId u = 1; u < n; ++u)
-  {
-    std::vector<Wall> walls;
-    for (VertexId v = 1; v < n; ++v)
-    {
-      if (v != u && Distance(centers[u], centers[v]) < 1.3)
-      {
-        Wall wall;
-        wall.cells = { { u, v } };
-        walls.push_back(wall);
-      }
-    }
-    if (walls.size() < 6)
-    {
-      Wall toExterior;
-      toExterior.cells = { { ExteriorVertex, u } };
-      junctions.walls.push_back(toExterior);
-    }
-    std::copy_if(walls.begin(), walls.end(), std::back_inserter(junctions.walls), [](const Wall & wall) {
-      return wall.cells[0] < wall.cells[1];
-    });
-  }
-  std::sort(
-    junctions.walls.begin(), junctions.walls.end(), [](const Wall & a, const Wall & b) { return a.cells < b.cells; });
-  for (std::size_t v = 0; v < centers.size(); ++v)
-  {
-    junctions.cells[v].center = centers[v];
-  }
-  return junctions;
-}
-
 std::size_t
 NumberOfOversizedTriangles(const AdjacencyComplex & complex, const std::vector<Point> & centers, double limit)
 {
@@ -101,24 +61,11 @@ NumberInNotch(const AdjacencyComplex & complex, const std::vector<Point> & cente
   return inside;
 }
 
-/** Cells that touch the exterior in the complex and not in the image. */
-int
-NumberOfExposedCells(const AdjacencyComplex & complex, const ReferenceAdjacency & reference)
-{
-  int exposed = 0;
-  for (VertexId v = 1; v < complex.NumberOfVertices(); ++v)
-  {
-    exposed += complex.FindEdge(ExteriorVertex, v) && !reference.HasPair(ExteriorVertex, v) ? 1 : 0;
-  }
-  return exposed;
-}
-
 SurfaceCleanUpParameters
-Limit(double maximumEdgeLength, bool guided)
+Limit(double maximumEdgeLength)
 {
   SurfaceCleanUpParameters parameters;
   parameters.maximumEdgeLength = maximumEdgeLength;
-  parameters.guidedByReference = guided;
   return parameters;
 }
 } // namespace
@@ -130,7 +77,7 @@ TEST(SurfaceCleanUp, OpensTheNotchOfAnL)
   const std::size_t oversized = NumberOfOversizedTriangles(complex, centers, 2.0);
   ASSERT_GT(NumberInNotch(complex, centers), 10u) << "the convex hull spans the notch";
   const std::size_t          before = complex.NumberOfTetrahedra();
-  const SurfaceCleanUpResult result = CleanSurface(complex, centers, nullptr, Limit(2.0, false));
+  const SurfaceCleanUpResult result = CleanSurface(complex, centers, Limit(2.0));
   EXPECT_EQ(NumberInNotch(complex, centers), 0u);
   // Recorded: 65 before, 14 after; those that stay have all their cells on the surface and no edge of degree three.
   EXPECT_LT(NumberOfOversizedTriangles(complex, centers, 2.0), oversized / 3);
@@ -149,12 +96,12 @@ TEST(SurfaceCleanUp, FollowsTheLocalLengths)
 {
   const auto             centers = LShape();
   const AdjacencyComplex delaunay = DelaunayComplex(centers);
-  auto                   local = Limit(0.5, false);
+  auto                   local = Limit(0.5);
   local.localLengths.assign(centers.size(), 4.0);
   AdjacencyComplex byLocal = delaunay;
   AdjacencyComplex byOne = delaunay;
-  CleanSurface(byLocal, centers, nullptr, local);
-  CleanSurface(byOne, centers, nullptr, Limit(2.0, false));
+  CleanSurface(byLocal, centers, local);
+  CleanSurface(byOne, centers, Limit(2.0));
   EXPECT_EQ(byLocal.GetTetrahedra(), byOne.GetTetrahedra());
   // Long enough at one arm to allow every edge from it: the notch stays closed.
   for (std::size_t v = 1; v < centers.size(); ++v)
@@ -162,7 +109,7 @@ TEST(SurfaceCleanUp, FollowsTheLocalLengths)
     local.localLengths[v] = centers[v][1] > 2.9 ? 50.0 : 4.0;
   }
   AdjacencyComplex half = delaunay;
-  CleanSurface(half, centers, nullptr, local);
+  CleanSurface(half, centers, local);
   EXPECT_GT(NumberInNotch(half, centers), 10u);
 }
 
@@ -171,7 +118,7 @@ TEST(SurfaceCleanUp, LeavesAConvexTissueWithinTheLimitAlone)
   const auto       centers = RandomCenters(50, 1);
   AdjacencyComplex complex = DelaunayComplex(centers);
   const auto       before = complex.GetTetrahedra();
-  const auto       result = CleanSurface(complex, centers, nullptr, Limit(2.0, false)); // the diagonal is sqrt(3)
+  const auto       result = CleanSurface(complex, centers, Limit(2.0)); // the diagonal is sqrt(3)
   EXPECT_EQ(result.numberOfSwaps + result.numberOfRemovals, 0u);
   EXPECT_EQ(complex.GetTetrahedra(), before);
 }
@@ -180,41 +127,9 @@ TEST(SurfaceCleanUp, ASecondTimeFindsNothing)
 {
   const auto       centers = LShape();
   AdjacencyComplex complex = DelaunayComplex(centers);
-  CleanSurface(complex, centers, nullptr, Limit(1.5, false));
-  const auto result = CleanSurface(complex, centers, nullptr, Limit(1.5, false));
+  CleanSurface(complex, centers, Limit(1.5));
+  const auto result = CleanSurface(complex, centers, Limit(1.5));
   EXPECT_EQ(result.numberOfSwaps + result.numberOfRemovals, 0u);
-}
-
-TEST(SurfaceCleanUp, GuidedByAReferenceExposesNoInnerCell)
-{
-  const auto               centers = LShape();
-  const ReferenceAdjacency reference(LShapeJunctions(centers));
-  const double             tooShort = 0.5; // every edge is longer
-  AdjacencyComplex         unguided = DelaunayComplex(centers);
-  ASSERT_EQ(NumberOfExposedCells(unguided, reference), 0);
-  CleanSurface(unguided, centers, nullptr, Limit(tooShort, false));
-  EXPECT_GT(NumberOfExposedCells(unguided, reference), 0);
-
-  AdjacencyComplex  guided = DelaunayComplex(centers);
-  const std::size_t oversized = NumberOfOversizedTriangles(guided, centers, 2.0);
-  CleanSurface(guided, centers, &reference, Limit(tooShort, true));
-  EXPECT_EQ(NumberOfExposedCells(guided, reference), 0);
-  EXPECT_LT(NumberOfOversizedTriangles(guided, centers, 2.0), oversized);
-  EXPECT_TRUE(FindViolations(guided).empty());
-}
-
-TEST(SurfaceCleanUp, GuidedByAReferenceKeepsTheNeighborsOfTheImage)
-{
-  const auto       centers = RandomCenters(40, 2);
-  AdjacencyComplex complex = DelaunayComplex(centers);
-  const auto       before = complex.GetTetrahedra();
-  CleanSurface(complex, centers, nullptr, Limit(0.01, false));
-  EXPECT_NE(complex.GetTetrahedra(), before);
-
-  complex = DelaunayComplex(centers);
-  const ReferenceAdjacency reference(JunctionsOf(complex, centers));
-  CleanSurface(complex, centers, &reference, Limit(0.01, true));
-  EXPECT_EQ(complex.GetTetrahedra(), before);
 }
 
 TEST(SurfaceCleanUp, MedianNeighborDistanceByHand)

@@ -256,17 +256,16 @@ TEST(GatherJunctions, WhereTheOutsideIsTheOnlyExteriorItHasALabelThatNoCellHas)
   EXPECT_EQ(JunctionsOf(image).cells.size(), 4u);
 }
 
-TEST(GatherJunctions, TheLargestLabelsAreVoidsWithTheExteriorsLabel)
+TEST(GatherJunctions, AVoidIsAPieceOfTheExteriorThatItsCellTouches)
 {
-  // A cube of label 1 around a voxel that stands for a void.
-  VoxelImage image{ { { 3, 3, 3 } }, [](int x, int y, int z) { return Label{ x * y * z == 1 ? 99 : 1 }; } };
-  image.exterior = { true, 5, false, 1 };
+  // A cube of label 1 around a voxel of the exterior.
+  VoxelImage image{ { { 3, 3, 3 } }, [](int x, int y, int z) { return Label{ x * y * z == 1 ? 5 : 1 }; } };
+  image.exterior = { true, 5, false };
   const JunctionSet set = JunctionsOf(image);
   ASSERT_EQ(set.cells.size(), 2u);
-  ASSERT_EQ(set.voids.size(), 1u);
-  EXPECT_EQ(set.voids[0].label, 5);
-  EXPECT_EQ(set.voids[0].numberOfVoxels, 1);
-  const Wall * const wall = FindWall(set, { { 1, 2 } });
-  ASSERT_NE(wall, nullptr);
-  EXPECT_EQ(wall->numberOfFaces, 6);
+  EXPECT_EQ(set.cells[ExteriorVertex].numberOfPieces, 2);
+  EXPECT_EQ(set.cells[ExteriorVertex].numberOfStrayVoxels, 1);
+  EXPECT_TRUE(set.cells[1].touchesExterior);
+  ASSERT_EQ(set.walls.size(), 1u);
+  EXPECT_EQ(set.walls[0].numberOfFaces, 6 + 54);
 }

@@ -146,10 +146,8 @@ TEST(TopologyOptimizer, SameSeedSameResultOtherSeedAnother)
   const auto result = [](std::uint64_t seed) {
     Problem             problem(100, 800, 4);
     AnnealingParameters parameters = CombinatorialAnnealing(seed);
+    // A single cycle, from a start that is too far away to be recovered.
     parameters.numberOfCycles = 1;
-    // A single cycle alone, from a start that is too far away to be recovered.
-    parameters.relocation.wrongShare = std::numeric_limits<double>::infinity();
-    parameters.focus.numberOfRounds = 0;
     Optimize(problem, parameters);
     return problem.complex.GetTetrahedra();
   };
