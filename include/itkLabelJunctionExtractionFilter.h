@@ -44,7 +44,7 @@ namespace itk
  * the blocks of four and more labels; the label volume takes 4 bytes a voxel. The outputs are the same for any number
  * of threads.
  *
- * Errors (ExceptionObject): an exterior label set that the image does not have, fewer than four cells, a label above
+ * Errors (ExceptionObject): an exterior label set that the image does not have, no cell, a label above
  * the range of 64 bits signed.
  *
  * G. Cerutti, S. Ribes, C. Galvan-Ampudia, T. Vernoux, C. Godin: 3-D tessellation of plant tissue. A dual optimization

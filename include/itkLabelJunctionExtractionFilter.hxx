@@ -277,11 +277,10 @@ LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const ScanMap &          
     itkExceptionMacro(<< "The exterior label " << m_Exterior.label << " is not a label of the image, which has "
                       << junctions.cells.size() - 1 << " labels" << (m_Exterior.zeroIsCell ? "" : " other than 0"));
   }
-  constexpr std::size_t minimum = 4;
-  if (junctions.cells.size() - 1 < minimum)
+  if (junctions.cells.size() < 2)
   {
-    itkExceptionMacro(<< "The image has " << junctions.cells.size() - 1 << " cells, at least " << minimum
-                      << " are needed; the exterior label is " << junctions.cells[tissue::ExteriorVertex].label
+    itkExceptionMacro(<< "The image has no cell; the exterior label is "
+                      << junctions.cells[tissue::ExteriorVertex].label
                       << (m_Exterior.isAutomatic ? " (found automatically)" : ""));
   }
 }

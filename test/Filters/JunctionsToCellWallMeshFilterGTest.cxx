@@ -68,6 +68,7 @@ RefusalOf(const itk::TissueJunctions *                                      junc
 {
   const auto filter = itk::JunctionsToCellWallMeshFilter::New();
   filter->SetInput(junctions);
+  filter->UsePaperPreset();
   if (change)
   {
     change(filter);
