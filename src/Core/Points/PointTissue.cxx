@@ -109,7 +109,7 @@ RefusePoints(const std::vector<Point> & points)
     if (points[nearest[i][0]] == points[i])
     {
       throw std::invalid_argument("points " + std::to_string(i) + " and " + std::to_string(nearest[i][0]) +
-                                  " have the same place, " + ToText(points[i]));
+                                  " have the same place");
     }
   }
 }
