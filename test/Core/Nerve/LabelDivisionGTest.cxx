@@ -24,8 +24,8 @@ RealPairs(const ImageTopology & topology)
   std::set<VertexPair> pairs;
   for (const auto & edge : topology.nerve.complex.FindEdges())
   {
-    const VertexId a = topology.realOf[edge.vertices[0]];
-    const VertexId b = topology.realOf[edge.vertices[1]];
+    const VertexId a = topology.cellOf[edge.vertices[0]];
+    const VertexId b = topology.cellOf[edge.vertices[1]];
     if (a != b)
     {
       pairs.insert({ { std::min(a, b), std::max(a, b) } });
@@ -53,10 +53,10 @@ ExpectExact(const LabelVolume & volume)
   std::int64_t pieces = 0;
   for (const DividedCell & cell : topology.divided)
   {
-    EXPECT_EQ(cell.numberOfPieces, std::count(topology.realOf.begin(), topology.realOf.end(), cell.cell));
+    EXPECT_EQ(cell.numberOfPieces, std::count(topology.cellOf.begin(), topology.cellOf.end(), cell.cell));
     pieces += cell.numberOfPieces - 1;
   }
-  EXPECT_EQ(static_cast<std::int64_t>(topology.realOf.size()), NumberOfVertices(volume) + pieces);
+  EXPECT_EQ(static_cast<std::int64_t>(topology.cellOf.size()), NumberOfVertices(volume) + pieces);
   return pairs.size();
 }
 
