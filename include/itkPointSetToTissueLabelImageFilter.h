@@ -12,6 +12,7 @@
 #include "itkImageBase.h"
 #include "itkImageSource.h"
 #include "itkPointSet.h"
+#include "itkPointTissueEnums.h"
 
 #include <limits>
 
@@ -24,7 +25,9 @@ namespace itk
  * image, for the filters that take segmented images. Its label is i + 1 for the cell of the i-th point in the order of
  * the container, and 0 for the exterior; every point has a cell.
  *
- * The tissue is the inside of the points' Delaunay tetrahedralization, cleaned of surface triangles that are too large
+ * Where the points lie in one layer, flat or curved, the tissue is that layer, as thick as its cells are wide, and what
+ * a shell encloses is exterior; SetLayer() decides where the points leave it open. Otherwise
+ * the tissue is the inside of the points' Delaunay tetrahedralization, cleaned of surface triangles that are too large
  * for the local spacing, and a margin. In it the cells are the anisotropic tessellation that has its cells' centroids
  * on the points: that centres are centroids tells more of the cells' sizes and shapes than the points' Voronoi cells
  * do. The margin is fitted jointly with the cells. How exact the points are is estimated: where they cannot be the
@@ -36,8 +39,8 @@ namespace itk
  * any number of threads.
  *
  * Progress is that of the whole; the filter can be aborted. Errors (ExceptionObject): fewer than four points, two at
- * the same place, all in one plane, one that is not finite or outside of the box; more points than the pixel type has
- * labels.
+ * the same place, one that is not finite or outside of the box, all in one plane while Layer is Off; more points than
+ * the pixel type has labels.
  *
  * \sa LabelImageToCellWallMeshFilter
  * \ingroup TissueTessellation */
@@ -56,6 +59,7 @@ public:
   using LabelImageType = TLabelImage;
   using LabelPixelType = typename LabelImageType::PixelType;
   using ReferenceImageType = ImageBase<3>;
+  using LayerEnum = PointTissueEnums::Layer;
 
   static_assert(TPointSet::PointDimension == 3 && TLabelImage::ImageDimension == 3, "A tissue has three dimensions.");
   static_assert(std::numeric_limits<LabelPixelType>::is_integer, "Labels are integers.");
@@ -80,9 +84,13 @@ public:
   itkSetMacro(VoxelsPerCell, double);
   itkGetConstMacro(VoxelsPerCell, double);
 
+  /** Whether the tissue is taken for one layer of cells. The default is Automatic. */
+  itkSetEnumMacro(Layer, LayerEnum);
+  itkGetEnumMacro(Layer, LayerEnum);
+
 #ifndef ITK_WRAPPING_PARSER
-  /** The votes on which cells meet, by vertices that are labels, for C++; valid after the update. The JunctionSet of
-   * the output takes them, so that its adjacencies are optimized by them, best with
+  /** The votes on which cells meet, by vertices that are labels, for C++; valid after the update, and none for a layer.
+   * The JunctionSet of the output takes them, so that its adjacencies are optimized by them, best with
    * tissue::ReconstructionParameters::PointsPreset(). */
   const std::vector<tissue::JunctionVote> &
   GetVotes() const
@@ -120,6 +128,7 @@ private:
   tissue::TissueGrid                m_Grid;
   std::vector<tissue::JunctionVote> m_Votes;
   double                            m_VoxelsPerCell{ 4000.0 };
+  LayerEnum                         m_Layer{ LayerEnum::Automatic };
 };
 } // namespace itk
 

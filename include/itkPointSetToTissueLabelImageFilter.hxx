@@ -163,8 +163,12 @@ void
 PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
 {
   this->AllocateOutputs();
-  auto tissue =
-    RunCore(this, [this] { return tissue::EstimateTissue(this->MakePoints(), m_Grid, MakeExecution(this)); });
+  const auto layering = m_Layer == LayerEnum::On    ? tissue::TissueLayering::Layer
+                        : m_Layer == LayerEnum::Off ? tissue::TissueLayering::Solid
+                                                    : tissue::TissueLayering::Automatic;
+  auto       tissue = RunCore(this, [this, layering] {
+    return tissue::EstimateTissue(this->MakePoints(), m_Grid, layering, MakeExecution(this));
+  });
   m_Votes = std::move(tissue.votes);
   std::transform(tissue.labels.begin(),
                  tissue.labels.end(),
@@ -178,6 +182,7 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::PrintSelf(std::ostream
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "VoxelsPerCell: " << m_VoxelsPerCell << std::endl;
+  os << indent << "Layer: " << m_Layer << std::endl;
 }
 } // namespace itk
 

@@ -43,6 +43,14 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->capture_default_str()
     ->group(group);
   app
+    .add_option("--layer",
+                options.centers.layer,
+                "Whether the tissue is one layer of cells, a sheet or a shell; auto: where the points show it")
+    ->check(CLI::IsMember({ "auto", "on", "off" }))
+    ->type_name("{auto,on,off}")
+    ->capture_default_str()
+    ->group(group);
+  app
     .add_option(
       "--membrane", options.membrane.file, "Image of bright cell membranes, which is segmented from the points")
     ->type_name("FILE")
@@ -65,7 +73,7 @@ ParseCommandLine(int argc, char ** argv)
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
   options.method = found.count(membrane) > 0
                      ? ChoosePreset(found, Parameters(), Parameters::PaperPreset())
-                     : ChoosePreset(found, Parameters::PointsPreset(), Parameters::PaperPointsPreset());
+                     : ChoosePreset(found, Parameters(), Parameters::PaperPointsPreset());
   AddInputOptions(app, found.count(centersOf) > 0, options);
   AddOutputOptions(app, options.outputs);
   AddEvaluationOptions(app, options.evaluation);
@@ -105,6 +113,7 @@ ToJson(const NucleiTessellationOptions & options)
   }
   json["box"] = centers.box;
   json["voxelsPerCell"] = centers.voxelsPerCell;
+  json["layer"] = centers.layer;
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);

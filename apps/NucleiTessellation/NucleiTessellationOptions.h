@@ -31,6 +31,8 @@ struct CenterOptions
   DetectionOptions detection;
   /** Of the label image made of the points; 50 .. 1e6. */
   double voxelsPerCell = 4000.0;
+  /** Whether the tissue is one layer of cells: auto, on or off. */
+  std::string layer = "auto";
 
   /** The file that the cells are from. */
   const std::string &

@@ -176,7 +176,7 @@ struct EstimatedTissue
 
 /** \param box null: none is known. */
 EstimatedTissue
-EstimateTissue(const std::vector<Point> & points, const itk::ImageBase<3> * box, double voxelsPerCell,
+EstimateTissue(const std::vector<Point> & points, const itk::ImageBase<3> * box, const CenterOptions & options,
                ProgressBar & progress)
 {
   Stopwatch  timer;
@@ -191,7 +191,9 @@ EstimateTissue(const std::vector<Point> & points, const itk::ImageBase<3> * box,
   {
     filter->SetReferenceImage(box);
   }
-  filter->SetVoxelsPerCell(voxelsPerCell);
+  using Layer = itk::PointTissueEnums::Layer;
+  filter->SetVoxelsPerCell(options.voxelsPerCell);
+  filter->SetLayer(options.layer == "on" ? Layer::On : options.layer == "off" ? Layer::Off : Layer::Automatic);
   progress.Begin("Fitting cells to the points");
   progress.Observe(filter);
   filter->Update();
@@ -241,7 +243,7 @@ MakeTissue(const LabelledPoints & points, const NucleiTessellationOptions & opti
   {
     box = FindBox(options.centers);
   }
-  EstimatedTissue tissue = EstimateTissue(points.points, box, options.centers.voxelsPerCell, progress);
+  EstimatedTissue tissue = EstimateTissue(points.points, box, options.centers, progress);
   if (hasMembranes)
   {
     tissue = FollowMembranes(tissue, membranes.image, options.membrane, progress);

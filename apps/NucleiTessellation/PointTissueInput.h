@@ -15,8 +15,8 @@ namespace tissue
 {
 /** Reads the centres of the cells and makes of them what the options say: the junctions of a label image made of them,
  * or, for the paper's method, cells without any.
- * \throws FileError: files that cannot be read, fewer than four points, all in one plane, points outside of the
- * box. */
+ * \throws FileError: files that cannot be read, fewer than four points, points outside of the box, points in one plane
+ * that are to be of a solid tissue. */
 TissueInput
 ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progress);
 } // namespace tissue

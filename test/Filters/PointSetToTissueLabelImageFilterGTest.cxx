@@ -194,25 +194,47 @@ TEST(PointSetToTissueLabelImageFilter, RefusesPointsThatMakeNoTissue)
     }
     return ErrorOf(MakePoints(points), tissue);
   };
-  EXPECT_NE(ErrorOf(MakePoints({}), tissue).find("0 cells, at least 4 are needed"), std::string::npos);
-  EXPECT_NE(errorWith({}).find("3 cells, at least 4 are needed"), std::string::npos);
-  EXPECT_NE(errorWith({ { { 10, 10, 5 } } }).find("coplanar"), std::string::npos);
+  EXPECT_NE(ErrorOf(MakePoints({}), tissue).find("0 points, at least 4 are needed"), std::string::npos);
+  EXPECT_NE(errorWith({}).find("3 points, at least 4 are needed"), std::string::npos);
+  EXPECT_EQ(errorWith({ { { 10, 10, 5 } } }), "none") << "a layer of four cells";
   EXPECT_EQ(errorWith({ { { 8, 8, 10 } } }), "none");
   EXPECT_NE(
     errorWith({ { { 8, 8, 10 } }, { { 30, 8, 10 } } })
       .find("point 1 at [30, 8, 10] is outside of the box of the reference image, which has the size [40, 40, 18], the "
             "spacing [0.5, 0.5, 1] and the origin [0, 0, 0]"),
     std::string::npos);
-  EXPECT_NE(errorWith({ { { 8, 8, 10 } }, { { 8, 8, 10 } } }).find("same centre"), std::string::npos);
+  EXPECT_NE(errorWith({ { { 8, 8, 10 } }, { { 8, 8, 10 } } }).find("points 3 and 4 have the same place, (8, 8, 10)"),
+            std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, std::nan("") } } }).find("must be finite"), std::string::npos);
   EXPECT_NE(errorWith({ { { 8, 8, 2e30 } } }).find("point 0 has the coordinate 2e+30, must be finite and at most"),
             std::string::npos);
-  EXPECT_NE(ErrorOf(MakePoints({ { { 1, 1, 1 } }, { { 2, 2, 2 } }, { { 3, 3, 3 } }, { { 4, 4, 4 } } }), nullptr)
-              .find("coplanar"),
-            std::string::npos);
+  EXPECT_EQ(ErrorOf(MakePoints({ { { 1, 1, 1 } }, { { 2, 2, 2 } }, { { 3, 3, 3 } }, { { 4, 4, 4 } } }), nullptr),
+            "none");
   const tissue::Point same{ { 5, 5, 5 } };
   EXPECT_NE(ErrorOf(MakePoints({ same, same, same, same }), nullptr).find("extend over 0, must be 1e-30 at least"),
             std::string::npos);
+}
+
+TEST(PointSetToTissueLabelImageFilter, FindsLayersUnlessToldOtherwise)
+{
+  std::vector<tissue::Point> points;
+  for (int i = 0; i < 25; ++i)
+  {
+    points.push_back({ { 2.0 * (i % 5), 2.0 * (i / 5), 0.1 * (i % 3) } });
+  }
+  const auto filter = FilterType::New();
+  filter->SetInput(MakePoints(points));
+  filter->SetVoxelsPerCell(500);
+  EXPECT_EQ(filter->GetLayer(), FilterType::LayerEnum::Automatic);
+  filter->Update();
+  EXPECT_TRUE(filter->GetVotes().empty());
+  EXPECT_EQ(MeasureShapes(filter->GetOutput())->GetNumberOfLabelObjects(), points.size());
+  filter->SetLayer(FilterType::LayerEnum::Off);
+  filter->Update();
+  EXPECT_FALSE(filter->GetVotes().empty());
+  filter->SetLayer(FilterType::LayerEnum::On);
+  filter->Update();
+  EXPECT_TRUE(filter->GetVotes().empty());
 }
 
 TEST(PointSetToTissueLabelImageFilter, RefusesMorePointsThanLabels)

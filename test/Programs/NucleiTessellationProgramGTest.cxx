@@ -283,6 +283,17 @@ TEST_F(NucleiTessellationApp, PointsFarFromTheOriginKeepTheirDigits)
   EXPECT_TRUE(moved["mesh"]["cellsThatAreNoClosedSphere"].empty());
 }
 
+TEST_F(NucleiTessellationApp, PointsInOnePlaneAreNoSolidTissue)
+{
+  for (const char * points : { "x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", "0,0,0\n1,1,1\n2,2,2\n3,3,3\n" })
+  {
+    std::ofstream(this->PathOf("flat.csv")) << points;
+    this->ExpectRefusal("flat.csv walls.vtp --preset paper", { "flat.csv: ", "coplanar" });
+    this->ExpectRefusal("flat.csv walls.vtp --layer off", { "flat.csv: ", "coplanar" });
+  }
+  this->ExpectRefusal("flat.csv walls.vtp --layer maybe", { "--layer" });
+}
+
 TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
 {
   const auto refuse =
@@ -305,10 +316,8 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
   refuse(four + "1,2,\n", { "bad.csv: line 6" });
   refuse(four + "1,nan,3\n", { "bad.csv: line 6: 'nan' in column 2 ('y') must be finite" });
   refuse(four + "1,2,inf\n", { "bad.csv: line 6: 'inf' in column 3 ('z') must be finite" });
-  refuse("x,y,z\n0,0,0\n5,0,0\n0,5,0\n5,5,0\n2,1,0\n", { "bad.csv: ", "coplanar" });
   refuse("x,y,z\n0,0,0\n5,0,0\n0,0,0\n5,0,0\n2,1,0\n", { "bad.csv: There are 3 points" });
   refuse("1,1,1\n1,1,1\n1,1,1\n1,1,1\n", { "bad.csv: There are 1 points, at least 4 are needed" });
-  refuse("0,0,0\n1,1,1\n2,2,2\n3,3,3\n", { "bad.csv: ", "coplanar" });
   refuse(four + "1e300,2,3\n",
          { "bad.csv: The point of label 5 has the coordinate 1e+300, must be finite and at most" });
   refuse("0,0,0\n1e-300,0,0\n0,1e-300,0\n0,0,1e-300\n", { "bad.csv: The points extend over 1e-300, must be 1e-30" });

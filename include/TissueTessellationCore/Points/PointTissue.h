@@ -34,8 +34,18 @@ struct PointTissue
    * exterior.
    */
   std::vector<std::int32_t> labels;
-  /** The votes on which cells meet (TissueVotes.h), where vertex i + 1 is the cell of point i. */
+  /** The votes on which cells meet (TissueVotes.h), where vertex i + 1 is the cell of point i. None for a layer: votes
+   * tell which cells meet, not how often, and those of a layer meet the exterior twice. */
   std::vector<JunctionVote> votes;
+};
+
+/** Whether a tissue is taken for one layer of cells, a sheet or a shell. */
+enum class TissueLayering
+{
+  /** It is where the points show it (TissueLayer.h). */
+  Automatic,
+  Layer,
+  Solid
 };
 
 /** \brief Estimates a tissue from its cells' centres: its place, and the tessellation of it that has its cells'
@@ -48,14 +58,18 @@ struct PointTissue
  * Where the grid has more than 700 points to a cell, the fit takes a coarser one of as many: small walls need fine
  * labels, the fit does not.
  *
+ * A layer of cells is as thick as its cells are wide, and what it encloses is exterior. Its cells are
+ * the points' Voronoi cells in the middle of the layer, drawn out across it; there are no votes on how they meet.
+ *
  * Every point has a cell. The result does not depend on the number of threads.
  * \param grid a grid of the box that was seen of the tissue: what is outside of it is exterior, and cells may be cut by
  * its sides.
- * \throws std::invalid_argument for fewer than four points, two at one place, all in one plane, one that is not finite
- * or not in the box.
+ * \throws std::invalid_argument for fewer than four points, two at one place, one that is not finite or not in the box,
+ * and points in one plane of a tissue that is said to be solid.
  * \throws Aborted where `execution` asks to stop. */
 PointTissue
-EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const Execution & execution = Execution());
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid,
+               TissueLayering layering = TissueLayering::Automatic, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -7,7 +7,7 @@
 #include "Complex/LocalSpacing.h"
 
 #include "Common/Algorithms.h"
-#include "Complex/DelaunayTetrahedralization.h"
+#include "Geometry/NearestPoints.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
@@ -86,10 +86,18 @@ LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & cente
 std::vector<double>
 LocalSpacings(const std::vector<Point> & points)
 {
-  std::vector<Point> centers{ { { 0.0, 0.0, 0.0 } } };
-  centers.insert(centers.end(), points.begin(), points.end());
-  return LocalSpacings(AdjacencyComplex(static_cast<VertexId>(centers.size()), DelaunayTetrahedralization(centers)),
-                       centers);
+  std::vector<double> spacings{ 0.0 };
+  const auto          nearest = FindNearestPoints(points, NumberOfNearest);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    double sum = 0.0;
+    for (const std::size_t other : nearest[i])
+    {
+      sum += Distance(points[i], points[other]);
+    }
+    spacings.push_back(sum / static_cast<double>(std::max<std::size_t>(nearest[i].size(), 1)));
+  }
+  return spacings;
 }
 
 double

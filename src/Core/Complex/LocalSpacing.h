@@ -23,7 +23,7 @@ namespace tissue
 std::vector<double>
 LocalSpacings(const AdjacencyComplex & complex, const std::vector<Point> & centers);
 
-/** Returns the local spacings of points alone, which are the vertices after the exterior. No two are equal. */
+/** Returns the local spacings of points alone, in any arrangement, which are the vertices after the exterior. */
 std::vector<double>
 LocalSpacings(const std::vector<Point> & points);
 

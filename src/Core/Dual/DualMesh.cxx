@@ -21,7 +21,7 @@ namespace
 {
 /** The index of the line of each triangle, by tetrahedron and opposite vertex; lines get their ends and middles. */
 std::vector<std::array<std::int32_t, 4>>
-NumberLines(const GeneralComplex & complex, const LineMiddle & middleOf, std::vector<DualMesh::Line> & lines)
+NumberLines(const GeneralComplex & complex, const LinePathOf & pathOf, std::vector<DualMesh::Line> & lines)
 {
   std::vector<std::array<std::int32_t, 4>> lineOf(complex.NumberOfTetrahedra());
   for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
@@ -34,7 +34,8 @@ NumberLines(const GeneralComplex & complex, const LineMiddle & middleOf, std::ve
       {
         lineOf[id][i] = static_cast<std::int32_t>(lines.size());
         lineOf[mate.tetrahedron][mate.opposite] = lineOf[id][i];
-        lines.push_back({ { { id, mate.tetrahedron } }, {}, middleOf(side) });
+        const LinePath path = pathOf(side);
+        lines.push_back({ { { id, mate.tetrahedron } }, {}, path.middle, path.isBent });
       }
     }
   }
@@ -83,9 +84,9 @@ AsGeneral(const AdjacencyComplex & complex)
   return general;
 }
 
-/** The points on doubled lines; appended to the mesh. */
+/** The points on doubled and bent lines; appended to the mesh. */
 std::map<std::int32_t, PointId>
-AddMiddlesOfDoubledLines(const DualMesh & dual, WallMesh & mesh)
+AddMiddles(const DualMesh & dual, WallMesh & mesh)
 {
   std::map<std::array<PointId, 2>, int> counts;
   for (const DualMesh::Line & line : dual.lines)
@@ -95,7 +96,7 @@ AddMiddlesOfDoubledLines(const DualMesh & dual, WallMesh & mesh)
   std::map<std::int32_t, PointId> middles;
   for (std::size_t i = 0; i < dual.lines.size(); ++i)
   {
-    if (counts[dual.lines[i].ends] > 1)
+    if (counts[dual.lines[i].ends] > 1 || dual.lines[i].isBent)
     {
       middles[static_cast<std::int32_t>(i)] = static_cast<PointId>(mesh.points.size());
       mesh.points.push_back(dual.lines[i].middle);
@@ -107,7 +108,7 @@ AddMiddlesOfDoubledLines(const DualMesh & dual, WallMesh & mesh)
 } // namespace
 
 DualMesh
-Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LineMiddle & middleOf)
+Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LinePathOf & pathOf)
 {
   if (corners.size() != complex.NumberOfTetrahedra() ||
       complex.NumberOfTetrahedra() != static_cast<std::size_t>(complex.TetrahedronIdBound()))
@@ -121,7 +122,7 @@ Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LineMi
   {
     dual.cellsOfCorner.push_back(complex.GetTetrahedron(id).vertices);
   }
-  const auto lineOf = NumberLines(complex, middleOf, dual.lines);
+  const auto lineOf = NumberLines(complex, pathOf, dual.lines);
   for (const GeneralComplex::Edge & edge : complex.FindEdges())
   {
     const bool      isTurned = edge.vertices[0] == ExteriorVertex;
@@ -159,7 +160,8 @@ Dualize(const AdjacencyComplex & complex, std::vector<Point> corners)
   const std::vector<Point> positions = corners;
   const GeneralComplex     general = AsGeneral(complex);
   return Dualize(general, std::move(corners), [&](const Side & side) {
-    return 0.5 * (positions.at(side.tetrahedron) + positions.at(general.GetMate(side).tetrahedron));
+    const Point & to = positions.at(general.GetMate(side).tetrahedron);
+    return LinePath{ 0.5 * (positions.at(side.tetrahedron) + to), false };
   });
 }
 
@@ -169,7 +171,7 @@ TriangulateAsStars(const DualMesh & dual)
   WallMesh mesh;
   mesh.points = dual.corners;
   mesh.numberOfCells.assign(dual.corners.size(), CellsAtCorner);
-  const std::map<std::int32_t, PointId> middles = AddMiddlesOfDoubledLines(dual, mesh);
+  const std::map<std::int32_t, PointId> middles = AddMiddles(dual, mesh);
   for (const DualMesh::Wall & wall : dual.walls)
   {
     const auto           wallId = static_cast<WallId>(mesh.walls.size());

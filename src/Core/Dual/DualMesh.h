@@ -30,6 +30,8 @@ struct DualMesh
     VertexTriple cells = { { 0, 0, 0 } };
     /** A point of the line between its ends. */
     Point middle = { { 0.0, 0.0, 0.0 } };
+    /** Whether it is so bent that its middle is a point of the mesh in any case. */
+    bool isBent = false;
   };
 
   struct Wall
@@ -51,13 +53,20 @@ struct DualMesh
   std::vector<Wall> walls;
 };
 
-/** The middle of the line that a triangle of the complex stands for. */
-using LineMiddle = std::function<Point(const Side & triangle)>;
+/** How a line runs between its ends: see DualMesh::Line. */
+struct LinePath
+{
+  Point middle;
+  bool  isBent;
+};
+
+/** Gives the path of the line that a triangle of the complex stands for. */
+using LinePathOf = std::function<LinePath(const Side & triangle)>;
 
 /** Returns the dual of a complex whose ids are 0 ... NumberOfTetrahedra() - 1. The corners are given in their order.
  * \throws std::invalid_argument unless there is one for each. */
 DualMesh
-Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LineMiddle & middleOf);
+Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LinePathOf & pathOf);
 
 /** Returns the dual of a simplicial complex. The corners are given in the order of AdjacencyComplex::GetTetrahedra(),
  * lines are straight. */
@@ -66,9 +75,9 @@ Dualize(const AdjacencyComplex & complex, std::vector<Point> corners);
 
 /** \brief Divides each wall into triangles around a new point at the mean of its outline (paper, section 4.2): a star.
  *
- * Outlines are the corners, and the middles of lines that have both ends in common with another, without which the two
- * were one. The points of the mesh are the
- * corners, in their order, then these middles, then the walls' centres, in the order of the walls. */
+ * Outlines are the corners, and the middles of lines that are bent, or have both ends in common with another: without
+ * them the two were one. The points of the mesh are the corners, in their order, then these middles, then the walls'
+ * centres, in the order of the walls. */
 WallMesh
 TriangulateAsStars(const DualMesh & dual);
 } // namespace tissue

@@ -25,7 +25,10 @@ constexpr int AveragingSweeps = 50;
 /** The share of the way to the centres of its cells by which a line without a path is off the middle of its ends: two
  * such lines with the same ends must not be one. */
 constexpr double ShareOfLine = 0.02;
-/** The same for corners at one place. */
+/** The length of a line of the exterior, over the distance of its ends, from which on it is bent: cells bulge there,
+ * and the walls that end at it with it. Within the tissue more points at the lines gain nothing. */
+constexpr double LeastBend = 1.15;
+/** The share of the way to the mean of its cells' centres that a corner goes where another is at its place. */
 constexpr double ShareOfCorner = 0.05;
 
 VertexQuadruple
@@ -97,8 +100,8 @@ bool
 MoveToPlace(const std::vector<CornerPlace> & places, VertexQuadruple vertices, Point & corner)
 {
   std::sort(vertices.begin(), vertices.end());
-  const auto begin = std::lower_bound(
-    places.begin(), places.end(), vertices, [](const CornerPlace & place, const VertexQuadruple & v) {
+  const auto begin =
+    std::lower_bound(places.begin(), places.end(), vertices, [](const CornerPlace & place, const VertexQuadruple & v) {
       return place.cells < v;
     });
   double      least = std::numeric_limits<double>::infinity();
@@ -128,10 +131,27 @@ SeparateCoincident(const DualMesh & mesh, const std::vector<VertexId> & cellOf, 
   {
     if (counts[mesh.corners[i]] > 1)
     {
-      corners[i] =
-        corners[i] + ShareOfCorner * (MeanCenter(mesh.cellsOfCorner[i], cellOf, centers) - corners[i]);
+      corners[i] = corners[i] + ShareOfCorner * (MeanCenter(mesh.cellsOfCorner[i], cellOf, centers) - corners[i]);
     }
   }
+}
+LinePath
+MakePath(const ImageNerve & nerve, const GeneralComplex & complex, const Side & side,
+         const std::vector<Point> & corners, const std::vector<VertexId> & cellOf, const std::vector<Point> & centers)
+{
+  const GeneralComplex::Tetrahedron & t = complex.GetTetrahedron(side.tetrahedron);
+  const VertexTriple                  vertices = TriangleOpposite(t.vertices, side.opposite);
+  const Point &                       from = corners[side.tetrahedron];
+  const Point &                       to = corners[t.neighbors[side.opposite]];
+  const LineId                        line = t.lines[side.opposite];
+  if (line == NoPlace)
+  {
+    const Point middle = 0.5 * (from + to);
+    return { middle + ShareOfLine * (MeanCenter(vertices, cellOf, centers) - middle), false };
+  }
+  const bool isOutside =
+    std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return cellOf[v] == ExteriorVertex; });
+  return { nerve.lines[line].middle, isOutside && nerve.lines[line].length > LeastBend * Distance(from, to) };
 }
 } // namespace
 
@@ -164,18 +184,8 @@ DualizeNerve(const ImageNerve & nerve, const std::vector<CornerPlace> & places, 
     }
   }
   AverageNeighbors(complex, missing, corners);
-  const auto middleOf = [&](const Side & side) {
-    const GeneralComplex::Tetrahedron & t = complex.GetTetrahedron(side.tetrahedron);
-    const LineId                        line = t.lines[side.opposite];
-    if (line != NoPlace)
-    {
-      return nerve.lines[line].middle;
-    }
-    const Point        middle = 0.5 * (corners[side.tetrahedron] + corners[t.neighbors[side.opposite]]);
-    const VertexTriple cells = TriangleOpposite(t.vertices, side.opposite);
-    return middle + ShareOfLine * (MeanCenter(cells, cellOf, centers) - middle);
-  };
-  dual.mesh = Dualize(complex, corners, middleOf);
+  dual.mesh = Dualize(
+    complex, corners, [&](const Side & side) { return MakePath(nerve, complex, side, corners, cellOf, centers); });
   SeparateCoincident(dual.mesh, cellOf, centers, corners);
   dual.mesh.corners = std::move(corners);
   return dual;

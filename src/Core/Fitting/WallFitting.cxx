@@ -42,8 +42,10 @@ constexpr double VolumeShare = 0.15;
 constexpr double SizeExponent = 0.25;
 /** What the star takes of the time, for the progress. */
 constexpr double StarShare = 0.1;
-/** Steps towards the volumes where the walls stay stars. */
-constexpr int StarRounds = 8;
+/** Steps of the stars towards the volumes, before they are remeshed, and where they stay stars. Bulging walls are far
+ * from their volumes at first; but what more steps add by moving corners has to be taken back later. */
+constexpr int FirstStarRounds = 3;
+constexpr int LastStarRounds = 8;
 /** The rounds of projection, improvement and volumes after the first, the second and the third remeshing. */
 constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
 /** The most steps towards the volumes at the end. Cells that the guard holds back get there by small steps. */
@@ -87,14 +89,14 @@ public:
     statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_Execution);
     statistics.untangledPairs -= statistics.crossingPairs;
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
-    this->FitStar(mesh);
+    this->FitStar(mesh, FirstStarRounds);
     return mesh;
   }
 
   void
-  FitStar(WallMesh & mesh) const
+  FitStar(WallMesh & mesh, int rounds) const
   {
-    for (int round = 0; round < StarRounds; ++round)
+    for (int round = 0; round < rounds; ++round)
     {
       this->VolumeStep(mesh);
     }
@@ -297,6 +299,10 @@ FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, Wa
   if (trianglesPerCell > 0.0)
   {
     fitter.FitRemeshed(mesh, trianglesPerCell, s);
+  }
+  else
+  {
+    fitter.FitStar(mesh, LastStarRounds);
   }
   fitter.PutCornersInOrder(mesh);
   JoinWalls(mesh);

@@ -38,9 +38,25 @@ FindUnsoundCells(const GeneralComplex & complex, const TissuePlaces & places)
   return unsound;
 }
 
+/** Of each vertex of the image and of each large fragment the vertex of the image. */
+std::vector<VertexId>
+CellsWithFragments(const Fragments & fragments)
+{
+  std::vector<VertexId> cellOf(static_cast<std::size_t>(fragments.numberOfVertices));
+  std::iota(cellOf.begin(), cellOf.end(), ExteriorVertex);
+  for (const Fragment & fragment : fragments.fragments)
+  {
+    if (fragment.isLarge)
+    {
+      cellOf[fragment.vertex] = fragment.cell;
+    }
+  }
+  return cellOf;
+}
+
 /** Puts the nerve of the divided image in the place of the image's, and the places of both. */
 void
-TakeDivision(LabelDivision division, ImageTopology & topology, const Execution & execution)
+TakeDivision(const LabelDivision & division, ImageTopology & topology, const Execution & execution)
 {
   const std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(division.volume, execution);
   topology.places = { FindImageWalls(division.volume, execution), FindCornerPlaces(division.volume, blocks) };
@@ -54,13 +70,28 @@ TakeDivision(LabelDivision division, ImageTopology & topology, const Execution &
     }
   }
   topology.nerve.complex.SetOutside(std::move(outside));
-  for (VertexId & v : division.realOf)
+}
+
+/** Divides what walls of the image need it, then the cells that are split all the same: around several others. */
+void
+DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageTopology & topology,
+                  const Execution & execution)
+{
+  if (Divide(division, std::move(faulty), {}))
   {
-    v = topology.cellOf[v];
+    TakeDivision(division, topology, execution);
   }
-  topology.cellOf = std::move(division.realOf);
-  topology.volume = std::move(division.volume);
-  topology.divided = std::move(division.cells);
+  // Of a cell around others that is around others each pass divides one more.
+  constexpr int maximumNumberOfPasses = 3;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+  {
+    auto split = FindSplitCells(division.volume, topology.places.walls, topology.nerve.complex);
+    if (split.empty() || !Divide(division, {}, std::move(split)))
+    {
+      return;
+    }
+    TakeDivision(division, topology, execution);
+  }
 }
 
 /** Finds the fragments, the places and the nerve. */
@@ -86,23 +117,20 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     blocks = FindCrowdedBlocks(*image, execution);
   }
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
-  topology.cellOf.resize(static_cast<std::size_t>(topology.fragments.numberOfVertices));
-  std::iota(topology.cellOf.begin(), topology.cellOf.end(), ExteriorVertex);
-  for (const Fragment & fragment : topology.fragments.fragments)
-  {
-    if (fragment.isLarge)
-    {
-      topology.cellOf[fragment.vertex] = fragment.cell;
-    }
-  }
   execution.Report(0.6);
-  LabelDivision division = DivideLabels(*image,
-                                        topology.fragments.numberOfVertices,
-                                        FindDoubtfulWalls(*image, topology.places.walls, topology.nerve.complex));
-  if (!division.cells.empty())
+  auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
+  LabelDivision division({}, topology.fragments.numberOfVertices);
+  if (!faulty.empty() || !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
   {
-    TakeDivision(std::move(division), topology, execution);
+    division.volume = image == &copy ? std::move(copy) : volume;
+    DivideWhereNeeded(division, std::move(faulty), topology, execution);
+    copy = std::move(division.volume);
   }
+  topology.divided = division.FindDividedCells();
+  const std::vector<VertexId> cellOf = CellsWithFragments(topology.fragments);
+  topology.cellOf = std::move(division.realOf);
+  std::transform(
+    topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
   execution.Report(0.7);
 }
 } // namespace
@@ -140,8 +168,8 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
     visit(topology);
   }
   topology.repairs = Repair(topology.nerve, topology.places);
-  topology.descent =
-    Descend(topology.nerve.complex, topology.places, parameters.preferences, execution.Part(0.75, 1.0));
+  topology.descent = Descend(
+    topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
   topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
   topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
   return topology;

@@ -23,6 +23,8 @@ struct ImageTopologyParameters
   /** Voxels from which on a fragment of a cell becomes a vertex of its own. Four, the fewest with a volume, lose no
    * more of the image's pairs of cells than must be; to mesh them well takes more. */
   std::int64_t minimumFragmentVoxels = 4;
+  /** Votes on corners, of an image that is an estimate; they decide in place of its corners (PlaceEnergy.h). */
+  std::vector<JunctionVote> votes;
 };
 
 /** \brief The complex of a label image, and all that was met on the way. */

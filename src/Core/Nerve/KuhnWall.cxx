@@ -126,15 +126,6 @@ KuhnWallSearch::Find(const KuhnEdge & start)
     m_Open.pop_back();
     this->Visit(edge, wall);
   }
-  for (auto & voxels : wall.voxels)
-  {
-    if (wall.IsSound())
-    {
-      voxels.clear();
-    }
-    std::sort(voxels.begin(), voxels.end());
-    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
-  }
   return wall;
 }
 

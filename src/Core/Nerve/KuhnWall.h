@@ -53,7 +53,7 @@ struct KuhnWall
   /** Of `start`, the first and the second. */
   VertexPair cells;
   KuhnEdge   start;
-  /** By `cells`: the ends of the edges that the wall crosses, ascending and each once; not of a sound wall. */
+  /** By `cells`: the ends of the edges that the wall crosses, each as often as it is one. */
   std::array<std::vector<VoxelIndex>, 2> voxels;
   /** Circles of the boundary that have corners. */
   int numberOfCircles = 0;

@@ -7,10 +7,14 @@
 #include "Nerve/LabelDivision.h"
 
 #include "Nerve/GeodesicSeeds.h"
+#include "Nerve/VertexLinks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 
 namespace tissue
 {
@@ -22,30 +26,33 @@ constexpr int LayerSteps = 2;
 constexpr std::int32_t Padding = LayerSteps + 1;
 constexpr int          MaximumNumberOfRounds = 6;
 
-/** Whether all voxels that are less than Padding steps from the outside are exterior. */
+/** Whether a layer around one of the walls may reach out of the image. */
 bool
-HasPadding(const LabelVolume & volume)
+AreNearBorder(const LabelVolume & volume, const std::vector<KuhnEdge> & walls)
 {
-  const auto isNearEnd = [](std::int32_t i, std::int32_t size) { return i < Padding || i >= size - Padding; };
-  for (std::int32_t z = 0; z < volume.size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < volume.size[1]; ++y)
+  const auto isNear = [&](const VoxelIndex & p) {
+    bool isNearAny = false;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const bool isWholeRow = isNearEnd(z, volume.size[2]) || isNearEnd(y, volume.size[1]);
-      for (std::int32_t x = 0; x < volume.size[0]; ++x)
-      {
-        if (!isWholeRow && x == Padding)
-        {
-          x = std::max(x, volume.size[0] - Padding);
-        }
-        if (x < volume.size[0] && volume.At(x, y, z) != ExteriorVertex)
-        {
-          return false;
-        }
-      }
+      isNearAny = isNearAny || p[axis] < Padding || p[axis] >= volume.size[axis] - Padding;
     }
+    return isNearAny;
+  };
+  KuhnWallSearch search(volume);
+  return std::any_of(walls.begin(), walls.end(), [&](const KuhnEdge & start) {
+    const auto wall = search.Find(start);
+    return wall && std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear);
+  });
+}
+
+void
+Shift(std::vector<KuhnEdge> & edges)
+{
+  const VoxelIndex shift{ { Padding, Padding, Padding } };
+  for (KuhnEdge & edge : edges)
+  {
+    edge = { edge.first + shift, edge.second + shift };
   }
-  return true;
 }
 
 LabelVolume
@@ -89,58 +96,59 @@ struct Region
 
   std::vector<VoxelIndex> voxels;
   /** Voxels of the box around it. */
-  std::int64_t boxSize;
+  std::int64_t boxSize = 0;
 };
 
+/** In ascending order, so that nothing hangs on the order of a flood. */
+std::vector<VoxelIndex>
+EachOnce(std::vector<VoxelIndex> voxels)
+{
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
+}
+
+/** \brief The rounds of Divide(). */
 class Division
 {
 public:
-  Division(LabelVolume volume, VertexId numberOfVertices, std::vector<KuhnEdge> starts)
-    : m_Volume(std::move(volume))
-    , m_Starts(std::move(starts))
-  {
-    if (!HasPadding(m_Volume))
-    {
-      m_Volume = Pad(m_Volume);
-      const VoxelIndex shift{ { Padding, Padding, Padding } };
-      std::transform(m_Starts.begin(), m_Starts.end(), m_Starts.begin(), [&](const KuhnEdge & start) {
-        return KuhnEdge{ start.first + shift, start.second + shift };
-      });
-    }
-    for (VertexId v = 0; v < numberOfVertices; ++v)
-    {
-      m_RealOf.push_back(v);
-    }
-  }
+  explicit Division(LabelDivision & division)
+    : m_Volume(division.volume)
+    , m_RealOf(division.realOf)
+  {}
 
-  LabelDivision
-  Run()
+  void
+  Run(std::vector<KuhnEdge> starts, const std::vector<SplitCell> & split)
   {
-    for (int round = 0; round < MaximumNumberOfRounds && !m_Starts.empty(); ++round)
+    std::map<VertexId, Surfaces> ofVertex;
+    for (const SplitCell & cell : split)
     {
-      this->RunRound();
+      this->AppendSurface(cell, ofVertex[cell.cell]);
     }
-    LabelDivision                    result;
-    std::map<VertexId, std::int32_t> pieces;
-    for (std::size_t v = 0; v < m_RealOf.size(); ++v)
+    m_Starts = std::move(starts);
+    this->AppendFaulty(ofVertex);
+    for (int round = 0; round < MaximumNumberOfRounds && !ofVertex.empty(); ++round)
     {
-      ++pieces[m_RealOf[v]];
-    }
-    for (const auto & [cell, count] : pieces)
-    {
-      if (count > 1)
+      m_Starts.clear();
+      for (const auto & [vertex, surfaces] : ofVertex)
       {
-        result.cells.push_back({ cell, count });
+        this->DivideVertex(vertex, surfaces);
       }
+      m_Regions.clear();
+      ofVertex.clear();
+      this->AppendFaulty(ofVertex);
     }
-    result.volume = std::move(m_Volume);
-    result.realOf = std::move(m_RealOf);
-    return result;
   }
 
 private:
-  /** What of a vertex is to be divided: the voxels at the side of each faulty wall. */
-  using Surfaces = std::vector<std::vector<VoxelIndex>>;
+  /** Where a vertex is to be divided: its voxels at a faulty wall. */
+  struct Surface
+  {
+    std::vector<VoxelIndex> voxels;
+    /** Around what is within the vertex, so that all of it is to be divided. */
+    bool isAround;
+  };
+  using Surfaces = std::vector<Surface>;
 
   VertexId
   At(const VoxelIndex & p) const
@@ -154,12 +162,29 @@ private:
     return m_RealOf[static_cast<std::size_t>(v)] == ExteriorVertex;
   }
 
+  /** All walls of the cell that are within it, as one surface. */
   void
-  RunRound()
+  AppendSurface(const SplitCell & cell, Surfaces & surfaces)
   {
-    std::map<VertexId, Surfaces> ofVertex;
-    KuhnWallSearch               search(m_Volume);
-    m_Regions.clear();
+    KuhnWallSearch          search(m_Volume);
+    std::vector<VoxelIndex> voxels;
+    for (const KuhnEdge & start : cell.walls)
+    {
+      const auto wall = search.Find(start);
+      if (wall)
+      {
+        const auto & ofCell = wall->voxels[wall->cells[0] == cell.cell ? 0 : 1];
+        voxels.insert(voxels.end(), ofCell.begin(), ofCell.end());
+      }
+    }
+    surfaces.push_back({ EachOnce(std::move(voxels)), true });
+  }
+
+  /** The faulty ones of the walls to be looked at, by the vertex that is to be divided. */
+  void
+  AppendFaulty(std::map<VertexId, Surfaces> & ofVertex)
+  {
+    KuhnWallSearch search(m_Volume);
     for (std::size_t i = 0; i < m_Starts.size(); ++i)
     {
       const KuhnEdge start = m_Starts[i];
@@ -179,14 +204,10 @@ private:
       }
       if (!this->IsForThird(*wall))
       {
-        const int larger = this->FindLarger(start.first, start.second);
-        ofVertex[wall->cells[larger]].push_back(std::move(wall->voxels[larger]));
+        const int  larger = this->FindLarger(start.first, start.second);
+        const bool isClosed = wall->numberOfCircles == 0 && wall->closedLines.empty();
+        ofVertex[wall->cells[larger]].push_back({ EachOnce(std::move(wall->voxels[larger])), isClosed });
       }
-    }
-    m_Starts.clear();
-    for (const auto & [vertex, surfaces] : ofVertex)
-    {
-      this->Divide(vertex, surfaces);
     }
   }
 
@@ -284,9 +305,9 @@ private:
         layer.push_back(p);
       }
     };
-    for (const auto & voxels : surfaces)
+    for (const Surface & surface : surfaces)
     {
-      std::for_each(voxels.begin(), voxels.end(), add);
+      std::for_each(surface.voxels.begin(), surface.voxels.end(), add);
     }
     std::size_t begin = 0;
     for (int step = 0; step < LayerSteps; ++step)
@@ -303,32 +324,98 @@ private:
     return layer;
   }
 
-  void
-  Divide(VertexId vertex, const Surfaces & surfaces)
+  /** What of a cell is at the surfaces: as far from each as that is wide, so that what is left has no layer around a
+   * hole; the whole cell where one is around something. */
+  std::vector<VoxelIndex>
+  FindNeighborhood(const std::vector<VoxelIndex> & cell, const Surfaces & surfaces) const
   {
-    GeodesicSeeds seeds(m_Volume,
-                        vertex == ExteriorVertex ? this->FindLayer(surfaces)
-                                                 : this->RegionOf(vertex, surfaces.front().front()).voxels);
-    for (const auto & surface : surfaces)
+    if (std::any_of(surfaces.begin(), surfaces.end(), [](const Surface & surface) { return surface.isAround; }))
     {
-      seeds.Cover(surface);
+      return cell;
     }
-    // The first piece of a cell keeps its vertex; the exterior keeps what is not in the layer.
-    const VertexId first = static_cast<VertexId>(m_RealOf.size()) - (vertex == ExteriorVertex ? 0 : 1);
-    m_RealOf.resize(static_cast<std::size_t>(first + seeds.NumberOfSeeds()),
-                    m_RealOf[static_cast<std::size_t>(vertex)]);
+    std::vector<std::pair<VoxelIndex, VoxelIndex>> boxes;
+    for (const Surface & surface : surfaces)
+    {
+      VoxelIndex least = surface.voxels.front();
+      VoxelIndex most = least;
+      for (const VoxelIndex & p : surface.voxels)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          least[axis] = std::min(least[axis], p[axis]);
+          most[axis] = std::max(most[axis], p[axis]);
+        }
+      }
+      const std::int32_t width = LayerSteps + std::max({ most[0] - least[0], most[1] - least[1], most[2] - least[2] });
+      boxes.push_back(
+        { least + VoxelIndex{ { -width, -width, -width } }, most + VoxelIndex{ { width, width, width } } });
+    }
+    const auto isIn = [](const VoxelIndex & p, const std::pair<VoxelIndex, VoxelIndex> & box) {
+      return p[0] >= box.first[0] && p[1] >= box.first[1] && p[2] >= box.first[2] && p[0] <= box.second[0] &&
+             p[1] <= box.second[1] && p[2] <= box.second[2];
+    };
+    std::vector<VoxelIndex> region;
+    std::copy_if(cell.begin(), cell.end(), std::back_inserter(region), [&](const VoxelIndex & p) {
+      return std::any_of(boxes.begin(), boxes.end(), [&](const auto & box) { return isIn(p, box); });
+    });
+    return region;
+  }
+
+  void
+  DivideVertex(VertexId vertex, const Surfaces & surfaces)
+  {
+    const bool    isExterior = vertex == ExteriorVertex;
+    const Region  none;
+    const auto &  cell = isExterior ? none.voxels : this->RegionOf(vertex, surfaces.front().voxels.front()).voxels;
+    GeodesicSeeds seeds(m_Volume, isExterior ? this->FindLayer(surfaces) : this->FindNeighborhood(cell, surfaces));
+    for (const Surface & surface : surfaces)
+    {
+      seeds.Cover(surface.voxels);
+    }
     const auto & region = seeds.GetRegion();
+    const auto   first = static_cast<VertexId>(m_RealOf.size());
     for (std::size_t i = 0; i < region.size(); ++i)
     {
-      if (vertex == ExteriorVertex || seeds.SeedOf(i) > 0)
+      if (seeds.SeedOf(i) != GeodesicSeeds::None)
       {
         m_Volume.vertices[OffsetOf(m_Volume, region[i])] = first + seeds.SeedOf(i);
       }
     }
+    m_RealOf.resize(m_RealOf.size() + static_cast<std::size_t>(seeds.NumberOfSeeds()),
+                    m_RealOf[static_cast<std::size_t>(vertex)]);
+    this->NumberRest(vertex, cell);
     if (seeds.NumberOfSeeds() > 1)
     {
       this->AppendStarts(region);
     }
+  }
+
+  /** What is left of a cell keeps its vertex if it is one piece; other pieces become vertices of their own. */
+  void
+  NumberRest(VertexId vertex, const std::vector<VoxelIndex> & cell)
+  {
+    for (const VoxelIndex & start : cell)
+    {
+      if (this->At(start) == vertex)
+      {
+        const auto piece = static_cast<VertexId>(m_RealOf.size());
+        m_RealOf.push_back(m_RealOf[static_cast<std::size_t>(vertex)]);
+        for (const VoxelIndex & p : this->Flood(start, Region::Unbounded).voxels)
+        {
+          m_Volume.vertices[OffsetOf(m_Volume, p)] = piece;
+        }
+      }
+    }
+    // The last vertex is the last piece, or a seed's.
+    const VertexId last = static_cast<VertexId>(m_RealOf.size()) - 1;
+    for (const VoxelIndex & p : cell)
+    {
+      if (this->At(p) == last)
+      {
+        m_Volume.vertices[OffsetOf(m_Volume, p)] = vertex;
+      }
+    }
+    m_RealOf.resize(m_RealOf.size() - (cell.empty() ? 0 : 1));
   }
 
   /** Of all walls of the region. */
@@ -347,32 +434,148 @@ private:
     }
   }
 
-  LabelVolume           m_Volume;
-  std::vector<KuhnEdge> m_Starts;
-  std::vector<VertexId> m_RealOf;
+  LabelVolume &           m_Volume;
+  std::vector<VertexId> & m_RealOf;
+  std::vector<KuhnEdge>   m_Starts;
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
-} // namespace
-
-LabelDivision
-DivideLabels(LabelVolume volume, VertexId numberOfVertices, const std::vector<KuhnEdge> & starts)
+/** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
+ * the same two cells near it. */
+std::vector<KuhnEdge>
+StartsOf(const LabelVolume & volume, const ImageWall & wall)
 {
-  KuhnWallSearch        search(volume);
-  std::vector<KuhnEdge> faulty;
-  for (const KuhnEdge & start : starts)
+  constexpr std::int32_t reach = 4; // small fragments of few voxels
+  const auto             isAcross = [&](const VoxelIndex & p, const VoxelIndex & q) {
+    const VertexId a = volume.At(p[0], p[1], p[2]);
+    const VertexId b = volume.At(q[0], q[1], q[2]);
+    return std::minmax(a, b) == std::minmax(wall.cells[0], wall.cells[1]);
+  };
+  if (isAcross(wall.face[0], wall.face[1]))
   {
-    const auto wall = search.Find(start);
-    if (wall && !wall->IsSound())
+    return { { wall.face[0], wall.face[1] } };
+  }
+  std::vector<KuhnEdge> starts;
+  const VoxelIndex &    f = wall.face[0];
+  for (std::int32_t z = std::max(-1, f[2] - reach); z < std::min(volume.size[2], f[2] + reach); ++z)
+  {
+    for (std::int32_t y = std::max(-1, f[1] - reach); y < std::min(volume.size[1], f[1] + reach); ++y)
     {
-      faulty.push_back(start);
+      for (std::int32_t x = std::max(-1, f[0] - reach); x < std::min(volume.size[0], f[0] + reach); ++x)
+      {
+        const VoxelIndex p{ { x, y, z } };
+        for (const int set : { 1, 2, 4 })
+        {
+          const VoxelIndex q = p + KuhnSteps()[set - 1];
+          if (isAcross(p, q))
+          {
+            starts.push_back({ p, q });
+          }
+        }
+      }
     }
   }
-  return faulty.empty() ? LabelDivision() : Division(std::move(volume), numberOfVertices, std::move(faulty)).Run();
+  return starts;
+}
+/** Of each cell that has several links the index of the largest one. */
+std::map<VertexId, std::int32_t>
+FindLargestLinks(const GeneralComplex & nerve, const VertexLinks & links)
+{
+  std::map<VertexId, std::int32_t> largest;
+  for (VertexId v = 0; v < nerve.NumberOfVertices(); ++v)
+  {
+    if (!nerve.IsOutside(v) && links.NumberOfLinks(v) > 1)
+    {
+      const auto begin = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v]);
+      const auto end = links.links.begin() + static_cast<std::ptrdiff_t>(links.firstOfVertex[v + 1]);
+      const auto most = std::max_element(
+        begin, end, [](const auto & a, const auto & b) { return a.numberOfTriangles < b.numberOfTriangles; });
+      largest.emplace(v, static_cast<std::int32_t>(most - links.links.begin()));
+    }
+  }
+  return largest;
+}
+
+/** Of each cell that has several links the neighbours that are not in the largest one. */
+std::map<VertexId, std::set<VertexId>>
+FindNeighborsWithin(const GeneralComplex & nerve)
+{
+  const VertexLinks                      links = FindVertexLinks(nerve);
+  const auto                             largest = FindLargestLinks(nerve, links);
+  std::map<VertexId, std::set<VertexId>> within;
+  std::set<VertexPair>                   around;
+  for (TetrahedronId id = 0; !largest.empty() && id < nerve.TetrahedronIdBound(); ++id)
+  {
+    const VertexQuadruple & t = nerve.GetTetrahedron(id).vertices;
+    for (int i = 0; nerve.IsAlive(id) && i < 4; ++i)
+    {
+      const auto found = largest.find(t[i]);
+      for (int j = 0; found != largest.end() && j < 4; ++j)
+      {
+        if (links.linkOf[id][i] == found->second)
+        {
+          around.insert({ { t[i], t[j] } });
+        }
+        else if (j != i)
+        {
+          within[t[i]].insert(t[j]);
+        }
+      }
+    }
+  }
+  for (const VertexPair & pair : around)
+  {
+    within[pair[0]].erase(pair[1]);
+  }
+  return within;
+}
+} // namespace
+
+LabelDivision::LabelDivision(LabelVolume undivided, VertexId numberOfVertices)
+  : volume(std::move(undivided))
+  , realOf(static_cast<std::size_t>(numberOfVertices))
+{
+  std::iota(realOf.begin(), realOf.end(), ExteriorVertex);
+}
+
+std::vector<DividedCell>
+LabelDivision::FindDividedCells() const
+{
+  std::map<VertexId, std::int32_t> pieces;
+  for (const VertexId cell : realOf)
+  {
+    ++pieces[cell];
+  }
+  std::vector<DividedCell> cells;
+  for (const auto & [cell, count] : pieces)
+  {
+    if (count > 1)
+    {
+      cells.push_back({ cell, count });
+    }
+  }
+  return cells;
+}
+
+bool
+Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
+{
+  if (AreNearBorder(division.volume, faulty))
+  {
+    division.volume = Pad(division.volume);
+    Shift(faulty);
+    for (SplitCell & cell : split)
+    {
+      Shift(cell.walls);
+    }
+  }
+  const VertexId before = division.NumberOfVertices();
+  Division(division).Run(std::move(faulty), split);
+  return division.NumberOfVertices() > before;
 }
 
 std::vector<KuhnEdge>
-FindDoubtfulWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
+FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
   std::map<VertexPair, int> balance;
   for (const GeneralComplex::Edge & edge : nerve.FindEdges())
@@ -383,16 +586,50 @@ FindDoubtfulWalls(const LabelVolume & volume, const std::vector<ImageWall> & wal
   {
     --balance[wall.cells];
   }
-  const auto            at = [&](const VoxelIndex & p) { return volume.At(p[0], p[1], p[2]); };
-  std::vector<KuhnEdge> starts;
+  KuhnWallSearch        search(volume);
+  std::vector<KuhnEdge> faulty;
   for (const ImageWall & wall : walls)
   {
-    // Small fragments have other cells by now.
-    if (balance[wall.cells] != 0 && at(wall.face[0]) != at(wall.face[1]))
+    if (balance[wall.cells] == 0)
     {
-      starts.push_back({ wall.face[0], wall.face[1] });
+      continue;
+    }
+    for (const KuhnEdge & start : StartsOf(volume, wall))
+    {
+      const auto found = search.Find(start);
+      if (found && !found->IsSound())
+      {
+        faulty.push_back(start);
+      }
     }
   }
-  return starts;
+  return faulty;
+}
+
+std::vector<SplitCell>
+FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
+{
+  const auto                                within = FindNeighborsWithin(nerve);
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  for (std::size_t i = 0; !within.empty() && i < 2 * walls.size(); ++i)
+  {
+    const ImageWall & wall = walls[i / 2];
+    const VertexId    cell = wall.cells[i % 2];
+    const auto        found = within.find(cell);
+    if (found != within.end() && found->second.count(wall.cells[1 - i % 2]) != 0)
+    {
+      const auto starts = StartsOf(volume, wall);
+      ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
+    }
+  }
+  std::vector<SplitCell> split;
+  for (auto & [cell, edges] : ofCell)
+  {
+    if (!edges.empty())
+    {
+      split.push_back({ cell, std::move(edges) });
+    }
+  }
+  return split;
 }
 } // namespace tissue

@@ -139,7 +139,7 @@ private:
     {
       cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
     }
-    // At the best all diagonals and all tetrahedra over the ring are wanted.
+    // At the best all diagonals and all tetrahedra over the ring are wanted, and a wanted one gains 1 at most.
     const auto n = static_cast<double>(ring.size());
     if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= NoDifference)
     {
@@ -166,8 +166,14 @@ private:
   CostOfTriangle(VertexPair ends, const boost::container::small_vector<VertexId, 12> & ring, int i, int j, int k) const
   {
     const bool isDiagonal = k - i < static_cast<int>(ring.size()) - 1;
-    return (isDiagonal ? m_Energy.CostOfEdge(ring[i], ring[k]) : 0.0) +
-           m_Energy.CostOfTetrahedron({ { ends[0], ring[i], ring[j], ring[k] } }) +
+    return (isDiagonal ? m_Energy.CostOfEdge(ring[i], ring[k]) : 0.0) + this->CostOfTetrahedra(ends, ring, i, j, k);
+  }
+
+  double
+  CostOfTetrahedra(VertexPair ends, const boost::container::small_vector<VertexId, 12> & ring, int i, int j,
+                   int k) const
+  {
+    return m_Energy.CostOfTetrahedron({ { ends[0], ring[i], ring[j], ring[k] } }) +
            m_Energy.CostOfTetrahedron({ { ends[1], ring[i], ring[j], ring[k] } });
   }
 
@@ -180,13 +186,22 @@ private:
     const auto       vertices = m_Complex.GetRingVertices(ring);
     const VertexPair ends = this->EndsOf(ring);
     const int        n = static_cast<int>(vertices.size());
-    const auto       cost = [&](int i, int j, int k) {
+    // Of the triangles over a diagonal, and of the sides of the ring.
+    std::vector<double> ofDiagonal(static_cast<std::size_t>(n) * n, 0.0);
+    for (int i = 0; i < n; ++i)
+    {
+      for (int k = i + 2; k < n && k - i < n - 1; ++k)
+      {
+        // Costs must not be negative; as every triangulation has as many triangles and diagonals, they may be shifted.
+        ofDiagonal[i * n + k] = m_Energy.GetWallWeight() + m_Energy.CostOfEdge(vertices[i], vertices[k]);
+      }
+    }
+    const auto cost = [&](int i, int j, int k) {
       const VertexId a = vertices[i];
       const VertexId b = vertices[j];
       const VertexId c = vertices[k];
-      // Costs must not be negative; as every triangulation has as many triangles and diagonals, they may be shifted.
-      const double shift = 2.0 + (k - i < n - 1 ? m_Energy.GetWallWeight() : 0.0);
-      return a == b || b == c || a == c ? infinite : shift + this->CostOfTriangle(ends, vertices, i, j, k);
+      return a == b || b == c || a == c ? infinite
+                                        : 2.0 + ofDiagonal[i * n + k] + this->CostOfTetrahedra(ends, vertices, i, j, k);
     };
     return LeastCostTriangulation(n, cost);
   }
@@ -269,16 +284,26 @@ PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
         const Execution & execution)
 {
-  PlaceEnergy        energy(places, preferences, complex);
+  return Descend(complex, places, preferences, {}, execution);
+}
+
+PlaceDescentResult
+Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
+        const std::vector<JunctionVote> & votes, const Execution & execution)
+{
+  PlaceEnergy        energy(places, preferences, complex, votes);
   PlaceDescentResult result;
   result.energyBefore = energy.Total();
   Descent descent(complex, energy);
-  // A move may make another one, far away, worth while: by the number of the same cells' walls and corners.
-  for (std::int64_t moves = descent.Sweep(); moves > 0; moves = descent.Sweep())
+  // A move may make another one, far away, worth while: by the number of the same cells' walls and corners. In tissue
+  // the second sweep finds few, if any; noise would go on for many sweeps for the sake of next to nothing.
+  std::int64_t moves = 0;
+  do
   {
+    moves = descent.Sweep();
     result.numberOfMoves += moves;
     execution.Report(0.5);
-  }
+  } while (moves > static_cast<std::int64_t>(complex.NumberOfTetrahedra() / 100));
   execution.Report(1.0);
   result.energyAfter = energy.Total();
   return result;

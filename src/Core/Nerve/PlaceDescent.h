@@ -27,6 +27,12 @@ struct PlaceDescentResult
 PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
         const Execution & execution = Execution());
+
+/** The same where votes are known on which cells meet (PlaceEnergy.h), best with PlacePreferences::ByVotes(). Annealing
+ * after it gains nothing here either. */
+PlaceDescentResult
+Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
+        const std::vector<JunctionVote> & votes, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

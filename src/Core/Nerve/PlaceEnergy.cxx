@@ -95,35 +95,13 @@ ChangesOfWalls(const GeneralMove & move)
   return changes;
 }
 
-template <typename TCounts, typename TKey>
-double
-DifferenceOf(const TCounts & counts, const Changes<TKey> & changes)
-{
-  double difference = 0.0;
-  for (const auto & [key, change] : changes.Get())
-  {
-    const auto entry = counts.Get(key);
-    difference += std::abs(entry.present + change - entry.wanted) - std::abs(entry.present - entry.wanted);
-  }
-  return difference;
-}
-
-template <std::size_t VLength>
-double
-TotalOf(const TupleCounts<VLength> & counts)
-{
-  double total = 0.0;
-  for (const auto & entry : counts.GetEntries())
-  {
-    total += std::abs(entry.present - entry.wanted);
-  }
-  return total;
-}
 } // namespace
 
 PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & preferences,
-                         const GeneralComplex & complex)
+                         const GeneralComplex & complex, const std::vector<JunctionVote> & votes)
   : m_WallWeight(preferences.wallWeight)
+  , m_LeastVote(preferences.leastVote)
+  , m_HasVotes(!votes.empty())
 {
   VertexPair last{ { -1, -1 } };
   for (const ImageWall & wall : places.walls)
@@ -135,6 +113,10 @@ PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & p
   for (const CornerPlace & corner : places.corners)
   {
     ++m_Corners[corner.cells].wanted;
+  }
+  for (const JunctionVote & vote : votes)
+  {
+    m_Corners[vote.cells].share = static_cast<float>(vote.share);
   }
   for (const GeneralComplex::Edge & edge : complex.FindEdges())
   {
@@ -152,8 +134,18 @@ PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & p
 double
 PlaceEnergy::Difference(const GeneralComplex & complex, const GeneralMove & move) const
 {
-  return m_WallWeight * DifferenceOf(m_Walls, ChangesOfWalls(move)) +
-         DifferenceOf(m_Corners, ChangesOfCorners(complex, move));
+  const Changes<VertexPair>      ofWalls = ChangesOfWalls(move);
+  const Changes<VertexQuadruple> ofCorners = ChangesOfCorners(complex, move);
+  double                         difference = 0.0;
+  for (const auto & [edge, change] : ofWalls.Get())
+  {
+    difference += this->ChangeOfEnergy(m_Walls.Get(edge), change);
+  }
+  for (const auto & [tetrahedron, change] : ofCorners.Get())
+  {
+    difference += this->ChangeOfEnergy(m_Corners.Get(tetrahedron), change);
+  }
+  return difference;
 }
 
 void
@@ -174,34 +166,39 @@ PlaceEnergy::Account(const GeneralComplex & complex, const GeneralMove & move)
 double
 PlaceEnergy::Total() const
 {
-  return m_WallWeight * TotalOf(m_Walls) + TotalOf(m_Corners);
+  double total = 0.0;
+  for (const auto & wall : m_Walls.GetEntries())
+  {
+    total += this->EnergyOf(wall, wall.present);
+  }
+  for (const auto & corner : m_Corners.GetEntries())
+  {
+    total += this->EnergyOf(corner, corner.present);
+  }
+  return total;
 }
 
 double
 PlaceEnergy::CostOfEdge(VertexId u, VertexId v) const
 {
-  const auto entry = m_Walls.Get({ { std::min(u, v), std::max(u, v) } });
-  return entry.present < entry.wanted ? -m_WallWeight : m_WallWeight;
+  return this->ChangeOfEnergy(m_Walls.Get({ { std::min(u, v), std::max(u, v) } }), 1);
 }
 
 double
 PlaceEnergy::CostOfTetrahedron(const VertexQuadruple & vertices) const
 {
-  const auto entry = m_Corners.Get(Ascending(vertices));
-  return entry.present < entry.wanted ? -1.0 : 1.0;
+  return this->ChangeOfEnergy(m_Corners.Get(Ascending(vertices)), 1);
 }
 
 double
 PlaceEnergy::CostWithoutEdge(VertexId u, VertexId v) const
 {
-  const auto entry = m_Walls.Get({ { std::min(u, v), std::max(u, v) } });
-  return entry.present > entry.wanted ? -m_WallWeight : m_WallWeight;
+  return this->ChangeOfEnergy(m_Walls.Get({ { std::min(u, v), std::max(u, v) } }), -1);
 }
 
 double
 PlaceEnergy::CostWithoutTetrahedron(const VertexQuadruple & vertices) const
 {
-  const auto entry = m_Corners.Get(Ascending(vertices));
-  return entry.present > entry.wanted ? -1.0 : 1.0;
+  return this->ChangeOfEnergy(m_Corners.Get(Ascending(vertices)), -1);
 }
 } // namespace tissue

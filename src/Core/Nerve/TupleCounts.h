@@ -16,7 +16,7 @@ namespace tissue
 {
 /** \brief Of tuples of vertices, how often each is wanted and how often it is there: a hash table with open addressing.
  *
- * Tuples are ascending. One that was never added is wanted and there zero times, and costs no memory. */
+ * Tuples are ascending. One that was never added is wanted and there zero times, has no votes, and costs no memory. */
 template <std::size_t VLength>
 class TupleCounts
 {
@@ -27,6 +27,8 @@ public:
     Key          key;
     std::int32_t wanted;
     std::int32_t present;
+    /** The share of the votes that are for the tuple, where there are votes. */
+    float share;
   };
 
   TupleCounts()
@@ -38,7 +40,7 @@ public:
   Get(const Key & key) const
   {
     const std::int32_t at = m_Slots[this->FindSlot(key)];
-    return at < 0 ? Entry{ key, 0, 0 } : m_Entries[static_cast<std::size_t>(at)];
+    return at < 0 ? Entry{ key, 0, 0, 0.0F } : m_Entries[static_cast<std::size_t>(at)];
   }
 
   /** The tuple's counts, for a change. The reference holds until the next call. */
@@ -54,7 +56,7 @@ public:
         slot = this->FindSlot(key);
       }
       m_Slots[slot] = static_cast<std::int32_t>(m_Entries.size());
-      m_Entries.push_back({ key, 0, 0 });
+      m_Entries.push_back({ key, 0, 0, 0.0F });
     }
     return m_Entries[static_cast<std::size_t>(m_Slots[slot])];
   }
@@ -79,11 +81,23 @@ private:
     }
     const std::size_t mask = m_Slots.size() - 1;
     std::size_t       slot = hash & mask;
-    while (m_Slots[slot] >= 0 && m_Entries[static_cast<std::size_t>(m_Slots[slot])].key != key)
+    while (m_Slots[slot] >= 0 && !AreEqual(m_Entries[static_cast<std::size_t>(m_Slots[slot])].key, key))
     {
       slot = (slot + 1) & mask;
     }
     return slot;
+  }
+
+  /** As by ==, which compilers make a call of that costs more than the comparison. */
+  static bool
+  AreEqual(const Key & a, const Key & b)
+  {
+    VertexId difference = 0;
+    for (std::size_t i = 0; i < VLength; ++i)
+    {
+      difference |= a[i] ^ b[i];
+    }
+    return difference == 0;
   }
 
   void

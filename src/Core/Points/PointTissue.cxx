@@ -8,6 +8,9 @@
 
 #include "Common/Algorithms.h"
 #include "Complex/LocalSpacing.h"
+#include "Geometry/NearestPoints.h"
+#include "Points/PartialWalls.h"
+#include "Points/TissueLayer.h"
 #include "Points/TissueSurface.h"
 #include "Points/TissueVotes.h"
 #include "Tessellation/CentroidFit.h"
@@ -89,10 +92,26 @@ ToText(const Point & p)
   return text.str();
 }
 
+/** Refuses what no tissue can be made of. */
 void
-RefusePointsOutOfRange(const std::vector<Point> & points)
+RefusePoints(const std::vector<Point> & points)
 {
+  constexpr std::size_t minimum = 4;
+  if (points.size() < minimum)
+  {
+    throw std::invalid_argument("There are " + std::to_string(points.size()) + " points, at least " +
+                                std::to_string(minimum) + " are needed");
+  }
   RequirePointRange(points, [](std::size_t i) { return "point " + std::to_string(i); });
+  const auto nearest = FindNearestPoints(points, 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[nearest[i][0]] == points[i])
+    {
+      throw std::invalid_argument("points " + std::to_string(i) + " and " + std::to_string(nearest[i][0]) +
+                                  " have the same place, " + ToText(points[i]));
+    }
+  }
 }
 
 Box
@@ -126,6 +145,18 @@ SpacingsOf(const TissueSurface & surface, std::size_t numberOfPoints)
     spacings.push_back(surface.Spacing(i));
   }
   return spacings;
+}
+
+std::vector<std::size_t>
+OffsetsOf(const TissueSamples & samples, const TissueGrid & grid)
+{
+  std::vector<std::size_t> offsets;
+  offsets.reserve(samples.points.size());
+  for (const Point & point : samples.points)
+  {
+    offsets.push_back(grid.OffsetAt(point));
+  }
+  return offsets;
 }
 
 /** Makes the grid in which the cells are fitted. It fills the same box, with VoxelsPerCellOfFit at most. */
@@ -190,57 +221,26 @@ PlantLostCells(std::vector<std::int32_t> & labels, const TissueGrid & grid, cons
     }
   }
 }
-} // namespace
 
-Box
-PaddedBox(const std::vector<Point> & points)
+/** The labels of a grid's points: those of samples by the nearest seed, 0 elsewhere.
+ * \param offsets of the samples' points in the grid. */
+std::vector<std::int32_t>
+LabelGrid(const std::vector<MetricSeed> & seeds, const TissueSamples & samples,
+          const std::vector<std::size_t> & offsets, const TissueGrid & grid, const Execution & execution)
 {
-  RefusePointsOutOfRange(points);
-  const std::vector<double> spacings = LocalSpacings(points);
-  const double              padding = *std::max_element(spacings.begin(), spacings.end());
-  Box                       box{ points.front(), points.front() };
-  for (const Point & point : points)
+  const auto                cells = AssignSamples(AnisotropicTessellation(seeds), samples, execution);
+  std::vector<std::int32_t> labels(grid.NumberOfPoints(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    Extend(box, point);
+    labels[offsets[i]] = cells[i] + 1;
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    box.lower[i] -= padding;
-    box.upper[i] += padding;
-  }
-  return box;
+  return labels;
 }
 
-TissueGrid
-MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell)
-{
-  if (!(voxelsPerCell >= LeastVoxelsPerCell))
-  {
-    throw std::invalid_argument("voxelsPerCell is " + std::to_string(voxelsPerCell) + ", but must be at least " +
-                                std::to_string(LeastVoxelsPerCell));
-  }
-  RefusePointsOutOfRange(points);
-  const std::vector<double> spacings = LocalSpacings(points);
-  const double              step = MeanSpacing(spacings) / std::cbrt(CubedSpacingOfCell * voxelsPerCell);
-  const Point               extent = box.upper - box.lower;
-  const double              voxels = extent[0] / step * (extent[1] / step) * (extent[2] / step);
-  if (!(voxels <= MostVoxels))
-  {
-    const auto         farthest = std::max_element(spacings.begin() + 1, spacings.end()) - (spacings.begin() + 1);
-    std::ostringstream message;
-    message << "The box from " << ToText(box.lower) << " to " << ToText(box.upper) << " has " << voxels << " voxels at "
-            << voxelsPerCell << " a cell, must have " << MostVoxels << " at most; point " << farthest << " at "
-            << ToText(points[static_cast<std::size_t>(farthest)]) << " is the farthest from its nearest";
-    throw std::invalid_argument(message.str());
-  }
-  return MakeTissueGrid(box, step);
-}
-
+/** Surface and cells fitted in turn. */
 PointTissue
-EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const Execution & execution)
+EstimateSolid(const std::vector<Point> & points, const TissueGrid & grid, const Execution & execution)
 {
-  RefusePointsOutOfRange(points);
-  RefusePointsOutside(points, grid);
   // First cells and surface are fitted in turn, as if the points were exact; how far the seeds went for it then tells
   // how far they are drawn back in the last sweeps, and how unsure the votes are. Fit and votes work on a grid as
   // coarse as they need; in the end the seeds label the fine one.
@@ -281,14 +281,96 @@ EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, const
   {
     samples = SampleMask(surface.MakeMask(grid, execution));
   }
-  const auto cells = AssignSamples(AnisotropicTessellation(fit.GetSeeds()), samples, execution);
-  tissue.labels.assign(grid.NumberOfPoints(), 0);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    tissue.labels[grid.OffsetAt(samples.points[i])] = cells[i] + 1;
-  }
+  tissue.labels = LabelGrid(fit.GetSeeds(), samples, OffsetsOf(samples, grid), grid, execution);
   PlantLostCells(tissue.labels, grid, points);
   execution.Report(1.0);
   return tissue;
+}
+
+/** The cells of a layer are the Voronoi cells of the points in its middle, drawn out across it: their centroids lie
+ * where they do by the rims as well, and a fit to them adds nothing in the few real and synthetic layers tried. */
+PointTissue
+EstimateLayer(const TissueLayer & layer, const std::vector<Point> & points, const TissueGrid & grid,
+              const Execution & execution)
+{
+  std::vector<MetricSeed> seeds;
+  for (const Point & point : points)
+  {
+    seeds.push_back({ point });
+  }
+  TissueSamples                  samples = SampleMask(layer.MakeMask(grid, execution));
+  const std::vector<std::size_t> offsets = OffsetsOf(samples, grid);
+  execution.Report(0.5);
+  samples = layer.Flatten(std::move(samples), execution);
+  execution.Report(0.9);
+  PointTissue tissue;
+  tissue.labels = LabelGrid(seeds, samples, offsets, grid, execution);
+  RemovePartialWalls(
+    tissue.labels, grid, 0.5 * layer.Thickness() / *std::max_element(grid.steps.begin(), grid.steps.end()));
+  PlantLostCells(tissue.labels, grid, points);
+  execution.Report(1.0);
+  return tissue;
+}
+} // namespace
+
+Box
+PaddedBox(const std::vector<Point> & points)
+{
+  RefusePoints(points);
+  const std::vector<double> spacings = LocalSpacings(points);
+  const double              padding = *std::max_element(spacings.begin(), spacings.end());
+  Box                       box{ points.front(), points.front() };
+  for (const Point & point : points)
+  {
+    Extend(box, point);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    box.lower[i] -= padding;
+    box.upper[i] += padding;
+  }
+  return box;
+}
+
+TissueGrid
+MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell)
+{
+  if (!(voxelsPerCell >= LeastVoxelsPerCell))
+  {
+    throw std::invalid_argument("voxelsPerCell is " + std::to_string(voxelsPerCell) + ", but must be at least " +
+                                std::to_string(LeastVoxelsPerCell));
+  }
+  RefusePoints(points);
+  const std::vector<double> spacings = LocalSpacings(points);
+  const double              step = MeanSpacing(spacings) / std::cbrt(CubedSpacingOfCell * voxelsPerCell);
+  const Point               extent = box.upper - box.lower;
+  const double              voxels = extent[0] / step * (extent[1] / step) * (extent[2] / step);
+  if (!(voxels <= MostVoxels))
+  {
+    const auto         farthest = std::max_element(spacings.begin() + 1, spacings.end()) - (spacings.begin() + 1);
+    std::ostringstream message;
+    message << "The box from " << ToText(box.lower) << " to " << ToText(box.upper) << " has " << voxels << " voxels at "
+            << voxelsPerCell << " a cell, must have " << MostVoxels << " at most; point " << farthest << " at "
+            << ToText(points[static_cast<std::size_t>(farthest)]) << " is the farthest from its nearest";
+    throw std::invalid_argument(message.str());
+  }
+  return MakeTissueGrid(box, step);
+}
+
+PointTissue
+EstimateTissue(const std::vector<Point> & points, const TissueGrid & grid, TissueLayering layering,
+               const Execution & execution)
+{
+  RefusePoints(points);
+  RefusePointsOutside(points, grid);
+  if (layering != TissueLayering::Solid)
+  {
+    const TissueLayer layer(points);
+    if (layering == TissueLayering::Layer || layer.IsEvident())
+    {
+      return EstimateLayer(layer, points, grid, execution);
+    }
+  }
+  return EstimateSolid(points, grid, execution);
 }
 } // namespace tissue

@@ -53,6 +53,17 @@ PairsOfCells(const GeneralComplex & complex, const std::vector<VertexId> & cellO
   return pairs;
 }
 
+PlacePreferences
+ChoosePreferences(const ReconstructionParameters & parameters, const JunctionSet & junctions)
+{
+  if (!junctions.votes.empty())
+  {
+    return PlacePreferences::ByVotes();
+  }
+  return parameters.preference == AdjacencyPreference::Walls ? PlacePreferences::WallsFirst()
+                                                             : PlacePreferences::JunctionsFirst();
+}
+
 /** What the user should know of how the complex was taken from the image. */
 void
 AddRemarks(const ImageTopology & topology, std::vector<CellRemark> & remarks)
@@ -96,9 +107,8 @@ TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume,
 {
   Stopwatch               stopwatch;
   ImageTopologyParameters topologyParameters;
-  topologyParameters.preferences = parameters.preference == AdjacencyPreference::Walls
-                                     ? PlacePreferences::WallsFirst()
-                                     : PlacePreferences::JunctionsFirst();
+  topologyParameters.preferences = ChoosePreferences(parameters, cells.junctions);
+  topologyParameters.votes = cells.junctions.votes;
   TissueComplex complex;
   const auto    addStage = [&](const std::string & name, const ImageTopology & topology) {
     const double seconds = stopwatch.Lap().wallSeconds;

@@ -13,40 +13,32 @@ using namespace tissue_test;
 
 namespace
 {
-/** Junctions at the true corners, those at the exterior moved inwards by half a voxel, but for a displacement. */
-JunctionSet
-DisplacedJunctions(const Point & displacement)
+const std::vector<VertexId> Whole{ 0, 1, 2, 3, 4 };
+
+/** The dual with its corners half a voxel inside, where they are at the exterior, but for a displacement. */
+ImageDual
+DisplacedDual(const Point & displacement)
 {
-  const AdjacencyComplex   complex = MakeComplex();
-  const std::vector<Point> corners = TrueCorners();
-  JunctionSet              junctions = JunctionsOf(complex, RegularTetrahedron());
-  const auto               tetrahedra = complex.GetTetrahedra();
-  for (Junction & junction : junctions.junctions)
+  std::vector<Point> corners = TrueCorners();
+  for (Point & corner : corners)
   {
-    const auto at = std::find_if(tetrahedra.begin(), tetrahedra.end(), [&junction](VertexQuadruple t) {
-      std::sort(t.begin(), t.end());
-      return t == junction.cells;
-    });
-    junction.position = (1.0 - 0.5 * VoxelLength / Radius) * corners.at(at - tetrahedra.begin()) + displacement;
+    corner = (1.0 - 0.5 * VoxelLength / Radius) * corner + displacement;
   }
-  return junctions;
+  return { Dualize(MakeComplex(), corners), std::vector<bool>(corners.size(), true) };
 }
 } // namespace
 
 TEST(CornerFitting, FindsTheCornersBelowTheVoxel)
 {
-  const LabelVolume        volume = MakeVolume();
-  const IndicatorField     field(volume);
-  const Point              displacement = 0.2 * VoxelLength * Point{ { 1.0, -1.0, 1.0 } };
-  std::vector<std::size_t> unfitted;
-  const auto               corners = FitCorners(MakeComplex(), DisplacedJunctions(displacement), field, &unfitted);
-  const auto               expected = TrueCorners();
-  EXPECT_TRUE(unfitted.empty());
-  ASSERT_EQ(corners.size(), expected.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  const LabelVolume    volume = MakeVolume();
+  const IndicatorField field(volume);
+  ImageDual            dual = DisplacedDual(0.2 * VoxelLength * Point{ { 1.0, -1.0, 1.0 } });
+  const auto           expected = TrueCorners();
+  EXPECT_TRUE(FitCorners(dual, Whole, field).empty());
+  for (std::size_t i = 0; i < expected.size(); ++i)
   {
     // The spline rounds those at the exterior off.
-    EXPECT_LT(Distance(corners[i], expected[i]), (Norm(expected[i]) > 0.0 ? 0.8 : 0.3) * VoxelLength) << i;
+    EXPECT_LT(Distance(dual.mesh.corners[i], expected[i]), (Norm(expected[i]) > 0.0 ? 0.8 : 0.3) * VoxelLength) << i;
   }
 }
 
@@ -54,13 +46,27 @@ TEST(CornerFitting, NamesTheCornersThatTheImageHasNot)
 {
   const LabelVolume    volume = MakeVolume();
   const IndicatorField field(volume);
-  JunctionSet          junctions = DisplacedJunctions({ { 0.0, 0.0, 0.0 } });
-  const auto           last = junctions.junctions.back().cells;
-  junctions.junctions.pop_back();
-  std::vector<std::size_t> unfitted;
-  FitCorners(MakeComplex(), junctions, field, &unfitted);
-  ASSERT_EQ(unfitted.size(), 1u);
-  VertexQuadruple found = MakeComplex().GetTetrahedra()[unfitted[0]];
-  std::sort(found.begin(), found.end());
-  EXPECT_EQ(found, last);
+  ImageDual            dual = DisplacedDual({ { 0.0, 0.0, 0.0 } });
+  dual.isInImage[3] = false;
+  EXPECT_EQ(FitCorners(dual, Whole, field), (std::vector<std::size_t>{ 3 }));
+}
+
+TEST(CornerFitting, CornersOfDividedCellsComeToTheLineOfTheirCells)
+{
+  // Cells 3 and 4 are one here: what was a corner of cells 1 to 4 is a point of the line of 1, 2 and them.
+  LabelVolume volume = MakeVolume();
+  std::replace(volume.vertices.begin(), volume.vertices.end(), 4, 3);
+  const IndicatorField     field(volume);
+  ImageDual                dual = DisplacedDual({ { 0.0, 0.0, 0.0 } });
+  std::size_t              inner = 0;
+  const std::vector<Point> corners = TrueCorners();
+  while (Norm(corners[inner]) > 0.5)
+  {
+    ++inner;
+  }
+  dual.mesh.corners[inner] = { { 0.5 * VoxelLength, -0.5 * VoxelLength, 0.5 * VoxelLength } };
+  EXPECT_TRUE(FitCorners(dual, { 0, 1, 2, 3, 3 }, field).empty());
+  const auto sample = field.Evaluate(dual.mesh.corners[inner], { { 1, 2, 3, -1 } }, 3);
+  EXPECT_NEAR(sample.values[0], sample.values[1], 0.05);
+  EXPECT_NEAR(sample.values[0], sample.values[2], 0.05);
 }

@@ -4,10 +4,10 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Fitting/WallFitting.h"
 #include "FourCellBall.h"
 #include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
-#include "TissueTessellationCore/Fitting/WallFitting.h"
 #include "TissueTessellationCore/Mesh/WallMeasures.h"
 #include "VoxelTissue.h"
 
@@ -23,9 +23,6 @@ namespace
 constexpr std::size_t NumberOfCorners = 5;
 constexpr std::size_t NumberOfWalls = 10;
 
-/** Of the exterior and the four cells. */
-const std::vector<VertexId> Ranks{ 0, 1, 2, 3, 4 };
-
 /** The ball of four cells, its walls fitted to its image. */
 struct FittedBall
 {
@@ -34,9 +31,21 @@ struct FittedBall
   WallFittingStatistics statistics;
   WallMesh              mesh;
 
-  explicit FittedBall(double trianglesPerCell, const Execution & execution = Execution())
-    : mesh(FitWalls(MakeComplex(), junctions, volume, Ranks, trianglesPerCell, &statistics, execution))
-  {}
+  explicit FittedBall(double trianglesPerCell, const Execution & execution = Execution(), int cornerLeftOut = -1)
+  {
+    std::vector<double> volumes;
+    for (const Cell & cell : junctions.cells)
+    {
+      volumes.push_back(cell.volume);
+    }
+    ImageDual dual{ Dualize(MakeComplex(), TrueCorners()), std::vector<bool>(NumberOfCorners, true) };
+    if (cornerLeftOut >= 0)
+    {
+      dual.isInImage[static_cast<std::size_t>(cornerLeftOut)] = false;
+    }
+    const std::vector<VertexId> inOrder{ 0, 1, 2, 3, 4 };
+    mesh = FitWalls(dual, { volume, volume, inOrder, volumes, inOrder }, trianglesPerCell, &statistics, execution);
+  }
 };
 } // namespace
 
@@ -121,13 +130,15 @@ TEST(WallFitting, WallsAreWhereTheCellsMeet)
 
 TEST(WallFitting, CornersThatTheImageHasNotAreCounted)
 {
-  FittedBall ball(0.0);
-  ASSERT_EQ(ball.junctions.junctions.back().cells, (VertexQuadruple{ { 1, 2, 3, 4 } }));
-  ball.junctions.junctions.pop_back();
-  WallFittingStatistics statistics;
-  FitWalls(MakeComplex(), ball.junctions, ball.volume, Ranks, 0.0, &statistics);
-  EXPECT_EQ(statistics.unfittedCorners, 1);
-  EXPECT_EQ(statistics.unfittedCornersOfCell, (std::vector<std::int32_t>{ 0, 1, 1, 1, 1 }));
+  const auto       tetrahedra = MakeComplex().GetTetrahedra();
+  const FittedBall ball(0.0, Execution(), 4);
+  EXPECT_EQ(ball.statistics.unfittedCorners, 1);
+  std::vector<std::int32_t> expected(5, 0);
+  for (const VertexId v : tetrahedra[4])
+  {
+    expected[v] = 1;
+  }
+  EXPECT_EQ(ball.statistics.unfittedCornersOfCell, expected);
 }
 
 TEST(WallFitting, IsTheSameEachTimeAndInAnyOrderOfWork)

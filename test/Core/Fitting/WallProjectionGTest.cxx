@@ -16,6 +16,8 @@ using namespace tissue_test;
 
 namespace
 {
+const std::vector<VertexId> Whole{ 0, 1, 2, 3, 4 };
+
 /** The walls with points moved at random by less than a voxel, but for the corners. */
 WallMesh
 ShakenWalls(const std::vector<Point> & corners)
@@ -40,8 +42,9 @@ Project(WallMesh & mesh, const std::vector<Point> & corners, int times)
   const LabelVolume    volume = MakeVolume();
   const IndicatorField field(volume);
   const ImagePlaces    faces = CollectImageFaces(volume, CellsOfWalls(mesh));
+  const auto           pairs = CellsOfWalls(mesh);
   const WallProjection projection(
-    mesh, volume, field, faces, std::vector<double>(mesh.walls.size(), 5.0 * VoxelLength), corners);
+    mesh, { volume, Whole, pairs }, field, faces, std::vector<double>(mesh.walls.size(), 5.0 * VoxelLength), corners);
   for (int i = 0; i < times; ++i)
   {
     projection.Move(mesh);
@@ -103,8 +106,9 @@ TEST(WallProjection, WallsThatTheImageHasNotStay)
   std::fill(volume.vertices.begin(), volume.vertices.end(), 1);
   const IndicatorField field(volume);
   const ImagePlaces    faces = CollectImageFaces(volume, CellsOfWalls(mesh));
+  const auto           pairs = CellsOfWalls(mesh);
   const WallProjection projection(
-    mesh, volume, field, faces, std::vector<double>(mesh.walls.size(), VoxelLength), corners);
+    mesh, { volume, Whole, pairs }, field, faces, std::vector<double>(mesh.walls.size(), VoxelLength), corners);
   projection.Move(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {

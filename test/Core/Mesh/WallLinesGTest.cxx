@@ -38,7 +38,8 @@ TEST(WallLines, FromPoleToPoleOfAnOrange)
     EXPECT_EQ(line.points.back(), 1);
   }
   // Walls 0 to 2 are the outer ones, 3 to 5 the inner ones.
-  EXPECT_EQ(lines[3].walls, (std::array<WallId, 3>{ { 3, 4, 5 } })) << "the axis";
+  EXPECT_EQ(std::vector<WallId>(lines[3].walls.begin(), lines[3].walls.end()), (std::vector<WallId>{ 3, 4, 5 }))
+    << "the axis";
   EXPECT_DOUBLE_EQ(LengthOf(lines[3], RoundOrange(2).points), 2.0);
 }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <thread>
 
 using namespace testing_nerve;
@@ -43,17 +44,26 @@ RandomCells(std::int32_t edge, int count, std::uint64_t seed)
 std::pair<int, int>
 FalseAndMissingPairs(const ImageTopology & topology)
 {
-  auto edges = CountEdges(topology.nerve.complex);
-  int  missing = 0;
+  const auto ofCells = [&](const VertexPair & vertices) {
+    const auto [a, b] = std::minmax(topology.cellOf[vertices[0]], topology.cellOf[vertices[1]]);
+    return VertexPair{ { a, b } };
+  };
+  std::set<VertexPair> inComplex;
+  for (const auto & edge : topology.nerve.complex.FindEdges())
+  {
+    inComplex.insert(ofCells(edge.vertices));
+  }
+  std::set<VertexPair> inImage;
   for (const ImageWall & wall : topology.places.walls)
   {
-    missing += edges.count(wall.cells) == 0 ? 1 : 0;
+    inImage.insert(ofCells(wall.cells));
   }
-  for (const ImageWall & wall : topology.places.walls)
-  {
-    edges.erase(wall.cells);
-  }
-  return { static_cast<int>(edges.size()), missing };
+  const auto count = [](const std::set<VertexPair> & pairs, const std::set<VertexPair> & others) {
+    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const VertexPair & pair) {
+      return pair[0] != pair[1] && others.count(pair) == 0;
+    }));
+  };
+  return { count(inComplex, inImage), count(inImage, inComplex) };
 }
 } // namespace
 
@@ -81,7 +91,7 @@ TEST(ImageTopology, OfASheetIsExact)
   EXPECT_TRUE(topology.repairs.empty());
 }
 
-TEST(ImageTopology, TellsFragmentsRingsAndRepairs)
+TEST(ImageTopology, TellsFragmentsAndDividedCells)
 {
   LabelVolume volume = Bricks({ { 3, 3, 2 } }, 6);
   const auto  vertices = NumberOfVertices(volume);
@@ -92,25 +102,17 @@ TEST(ImageTopology, TellsFragmentsRingsAndRepairs)
   volume.vertices[at(15, 15, 9)] = vertices;
   const VertexId around = volume.vertices[at(9, 9, 9)];
   volume.vertices[at(9, 9, 9)] = volume.vertices[at(15, 21, 9)];
+  const VertexId      ofNucleus = volume.vertices[at(15, 14, 9)]; // one of the two that it touches
   const ImageTopology topology = FindImageTopology(volume, vertices + 1);
   ASSERT_EQ(topology.fragments.fragments.size(), 1u);
   EXPECT_EQ(topology.fragments.fragments[0].vertex, around);
   EXPECT_FALSE(topology.fragments.fragments[0].isLarge);
-  ASSERT_EQ(topology.repairs.size(), 1u);
-  EXPECT_EQ(topology.repairs[0].vertex, vertices);
-  EXPECT_TRUE(std::any_of(topology.wallsWithoutCorners.begin(),
-                          topology.wallsWithoutCorners.end(),
-                          [&](const auto & wall) { return wall.cells[1] == vertices; }));
+  ASSERT_EQ(topology.divided.size(), 1u);
+  EXPECT_EQ(topology.divided[0].cell, ofNucleus);
+  EXPECT_EQ(topology.divided[0].numberOfPieces, std::count(topology.cellOf.begin(), topology.cellOf.end(), ofNucleus));
+  EXPECT_TRUE(topology.repairs.empty());
+  EXPECT_TRUE(topology.wallsWithoutCorners.empty());
   EXPECT_TRUE(topology.unsoundCells.empty());
-}
-
-TEST(ImageTopology, OfTooFewCellsNamesThem)
-{
-  const LabelVolume volume =
-    MakeImage({ { 4, 2, 2 } }, [](std::int32_t x, std::int32_t, std::int32_t) { return VertexId{ 1 + x / 2 }; });
-  const ImageTopology topology = FindImageTopology(volume, 3);
-  EXPECT_EQ(topology.unsoundCells, (std::vector<VertexId>{ 1, 2 }));
-  EXPECT_EQ(topology.wallsWithoutCorners.size(), 3u);
 }
 
 TEST(ImageTopology, IsTheSameForAnyNumberOfThreads)

@@ -8,7 +8,11 @@
 #include "Nerve/TestGeneralComplexes.h"
 #include "Nerve/TestImages.h"
 
+#include "TissueTessellationCore/Common/Random.h"
+
 #include <gtest/gtest.h>
+
+#include <map>
 
 using namespace testing_nerve;
 
@@ -39,6 +43,38 @@ PlacesOf(const GeneralComplex & complex)
     }
   }
   return places;
+}
+
+/** Votes on about half of the image's quadruples. */
+std::vector<JunctionVote>
+RandomVotes(const TissuePlaces & places, Random & random)
+{
+  std::vector<JunctionVote> votes;
+  for (const CornerPlace & corner : places.corners)
+  {
+    const bool isRepeated = !votes.empty() && votes.back().cells == corner.cells;
+    if (!isRepeated && random.Uniform() < 0.5)
+    {
+      votes.push_back({ corner.cells, random.Uniform() });
+    }
+  }
+  return votes;
+}
+
+/** A move at a tetrahedron that is drawn; it may be illegal. */
+MoveProposal
+RandomProposal(const GeneralComplex & complex, Random & random)
+{
+  const auto id = static_cast<TetrahedronId>(random.Index(static_cast<std::size_t>(complex.TetrahedronIdBound())));
+  if (!complex.IsAlive(id))
+  {
+    return { MoveVerdict::WrongDegree, {} };
+  }
+  const EdgeRing    ring = complex.GetRing({ id, 0, 1 });
+  const std::size_t kind = random.Index(3);
+  return kind == 0   ? SwapTriangle(complex, { id, 0 })
+         : kind == 1 ? SplitEdge(complex, ring, 0, 1)
+                     : CloseEdge(complex, { id, 0, 1 });
 }
 } // namespace
 
@@ -74,34 +110,44 @@ TEST(PlaceEnergy, DifferenceIsThatOfTheTotals)
 {
   const LabelVolume volume = Noise({ { 5, 5, 5 } }, 9, 3);
   const auto        places = PlacesOf(volume);
-  GeneralComplex    complex = NerveOf(volume).complex;
   Random            random(1);
-  PlaceEnergy       energy(places, PlacePreferences::WallsFirst(), complex);
-  int               legal = 0;
-  for (int i = 0; i < 2000; ++i)
+  for (const auto & votes : { std::vector<JunctionVote>(), RandomVotes(places, random) })
   {
-    const auto id = static_cast<TetrahedronId>(random.Index(static_cast<std::size_t>(complex.TetrahedronIdBound())));
-    if (!complex.IsAlive(id))
+    GeneralComplex complex = NerveOf(volume).complex;
+    PlaceEnergy    energy(places, PlacePreferences::WallsFirst(), complex, votes);
+    int            legal = 0;
+    for (int i = 0; i < 2000; ++i)
     {
-      continue;
+      const MoveProposal proposal = RandomProposal(complex, random);
+      if (proposal)
+      {
+        ++legal;
+        const double before = energy.Total();
+        const double difference = energy.Difference(complex, proposal.move);
+        energy.Account(complex, proposal.move);
+        complex.Apply(proposal.move);
+        ASSERT_NEAR(energy.Total(), before + difference, 1e-9);
+      }
     }
-    const EdgeRing     ring = complex.GetRing({ id, 0, 1 });
-    const std::size_t  kind = random.Index(3);
-    const MoveProposal proposal = kind == 0   ? SwapTriangle(complex, { id, 0 })
-                                  : kind == 1 ? SplitEdge(complex, ring, 0, 1)
-                                              : CloseEdge(complex, { id, 0, 1 });
-    if (proposal)
-    {
-      ++legal;
-      const double before = energy.Total();
-      const double difference = energy.Difference(complex, proposal.move);
-      energy.Account(complex, proposal.move);
-      complex.Apply(proposal.move);
-      ASSERT_NEAR(energy.Total(), before + difference, 1e-9);
-    }
+    EXPECT_GT(legal, 200);
+    EXPECT_NEAR(energy.Total(), PlaceEnergy(places, PlacePreferences::WallsFirst(), complex, votes).Total(), 1e-9);
   }
-  EXPECT_GT(legal, 200);
-  EXPECT_NEAR(energy.Total(), PlaceEnergy(places, PlacePreferences::WallsFirst(), complex).Total(), 1e-9);
+}
+
+TEST(PlaceEnergy, VotesDecideOnTheFirstCornerOfFourCellsInPlaceOfTheImage)
+{
+  TissuePlaces places;
+  places.corners = { { { { 0, 1, 2, 3 } }, 5, {} }, { { { 0, 1, 2, 4 } }, 5, {} } };
+  GeneralComplex    complex = FourCells(5);
+  const PlaceEnergy energy(places, PlacePreferences::ByVotes(), complex, { { { { 0, 1, 2, 3 } }, 0.5 } });
+  const double      least = PlacePreferences::ByVotes().leastVote;
+  EXPECT_DOUBLE_EQ(energy.CostOfTetrahedron({ { 2, 4, 0, 1 } }), least) << "no votes";
+  EXPECT_DOUBLE_EQ(energy.CostOfTetrahedron({ { 0, 1, 2, 3 } }), least) << "there are two";
+  EXPECT_DOUBLE_EQ(energy.CostWithoutTetrahedron({ { 0, 1, 2, 3 } }), -least) << "one stays";
+  const double walls = 6 * PlacePreferences::ByVotes().wallWeight;
+  EXPECT_DOUBLE_EQ(energy.Total(), walls + 2 * least - 0.5);
+  const PlaceEnergy before(places, PlacePreferences::ByVotes(), GeneralComplex(5), { { { { 0, 1, 2, 3 } }, 0.5 } });
+  EXPECT_DOUBLE_EQ(before.CostOfTetrahedron({ { 3, 1, 2, 0 } }), least - 0.5);
 }
 
 TEST(PlaceDescent, FindsBackFromNearlyEachMove)
@@ -131,6 +177,42 @@ TEST(PlaceDescent, FindsBackFromNearlyEachMove)
   EXPECT_GT(found, 0.98 * moves) << "few are caught on the way";
 }
 
+TEST(PlaceDescent, FollowsVotesAgainstTheImage)
+{
+  // All votes are for what one move makes of the image's complex.
+  const GeneralComplex image = NerveOf(Bricks({ { 3, 3, 2 } }, 6)).complex;
+  int                  moves = 0;
+  int                  found = 0;
+  for (TetrahedronId id = 0; id < image.TetrahedronIdBound(); ++id)
+  {
+    const MoveProposal proposal = SwapTriangle(image, { id, id % 4 });
+    if (!proposal)
+    {
+      continue;
+    }
+    ++moves;
+    GeneralComplex voted = image;
+    voted.Apply(proposal.move);
+    std::map<VertexQuadruple, double> shares;
+    for (const CornerPlace & corner : PlacesOf(voted).corners)
+    {
+      shares[corner.cells] = 1.0;
+    }
+    std::vector<JunctionVote> votes;
+    for (const auto & [cells, share] : shares)
+    {
+      votes.push_back({ cells, share });
+    }
+    GeneralComplex complex = image;
+    const auto     result = Descend(complex, PlacesOf(image), PlacePreferences::ByVotes(), votes);
+    EXPECT_LT(result.energyAfter, result.energyBefore);
+    const PlaceEnergy ofVoted(PlacesOf(image), PlacePreferences::ByVotes(), voted, votes);
+    found += result.energyAfter <= ofVoted.Total() + 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(moves, 30);
+  EXPECT_GT(found, 0.75 * moves) << "some are caught on the way";
+}
+
 TEST(PlaceDescent, KeepsLinksAndLowersTheEnergy)
 {
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
@@ -139,11 +221,18 @@ TEST(PlaceDescent, KeepsLinksAndLowersTheEnergy)
     GeneralComplex    complex = NerveOf(volume).complex;
     const auto        links = EulerCharacteristics(complex);
     const auto        violations = FindViolations(complex);
-    const auto        result = Descend(
-      complex, PlacesOf(volume), seed % 2 ? PlacePreferences::WallsFirst() : PlacePreferences::JunctionsFirst());
-    EXPECT_LE(result.energyAfter, result.energyBefore);
-    EXPECT_EQ(EulerCharacteristics(complex), links);
-    EXPECT_EQ(FindViolations(complex), violations);
+    const auto        places = PlacesOf(volume);
+    Random            random(seed);
+    for (const auto & votes : { std::vector<JunctionVote>(), RandomVotes(places, random) })
+    {
+      const auto preferences = !votes.empty() ? PlacePreferences::ByVotes()
+                               : seed % 2     ? PlacePreferences::WallsFirst()
+                                              : PlacePreferences::JunctionsFirst();
+      const auto result = Descend(complex, places, preferences, votes);
+      EXPECT_LE(result.energyAfter, result.energyBefore);
+      EXPECT_EQ(EulerCharacteristics(complex), links);
+      EXPECT_EQ(FindViolations(complex), violations);
+    }
   }
 }
 

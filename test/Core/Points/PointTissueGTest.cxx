@@ -235,13 +235,13 @@ TEST(PointTissue, CanBeAborted)
     return fraction < 0.5;
   };
   const TissueGrid grid = MakePointGrid(Lattice(), Cube, 100);
-  EXPECT_THROW(EstimateTissue(Lattice(), grid, Execution({}, progress)), Aborted);
+  EXPECT_THROW(EstimateTissue(Lattice(), grid, TissueLayering::Automatic, Execution({}, progress)), Aborted);
   EXPECT_GE(last, 0.5);
   last = 0.0;
   const auto remember = [&last](double fraction) {
     last = fraction;
     return true;
   };
-  EXPECT_NO_THROW(EstimateTissue(Lattice(), grid, Execution({}, remember)));
+  EXPECT_NO_THROW(EstimateTissue(Lattice(), grid, TissueLayering::Automatic, Execution({}, remember)));
   EXPECT_EQ(last, 1.0);
 }

@@ -34,8 +34,7 @@ TEST(CellRemark, SaysItsValueInTheSingularAndThePlural)
 {
   EXPECT_EQ(Describe({ 1, Remark::WallsLost, 1.0 }), "lost 1 wall that the image has");
   EXPECT_EQ(Describe({ 1, Remark::WallsLost, 2.0 }), "lost 2 walls that the image has");
-  EXPECT_EQ(Describe({ 1, Remark::SeparateWalls, 1.0 }),
-            "has several separate walls to each of 1 neighbour; the mesh has one");
+  EXPECT_EQ(Describe({ 1, Remark::Repaired, 1.0 }), "has 1 false wall, by which its surface is one sphere");
   EXPECT_EQ(Describe({ 1, Remark::VolumeOff, 0.25 }), "has 0.25 times its volume in the image");
   EXPECT_EQ(Describe({ 1, Remark::NoClosedSphere, -4.0 }),
             "has a surface that is no closed sphere; its Euler characteristic is -4");

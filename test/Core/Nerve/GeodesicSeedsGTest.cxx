@@ -1,0 +1,73 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#include "Nerve/GeodesicSeeds.h"
+
+#include "Nerve/TestImages.h"
+
+#include <gtest/gtest.h>
+
+using namespace testing_nerve;
+
+namespace
+{
+std::vector<VoxelIndex>
+VoxelsOf(const LabelVolume & volume, VertexId vertex)
+{
+  std::vector<VoxelIndex> voxels;
+  for (std::int32_t z = 0; z < volume.size[2]; ++z)
+  {
+    for (std::int32_t y = 0; y < volume.size[1]; ++y)
+    {
+      for (std::int32_t x = 0; x < volume.size[0]; ++x)
+      {
+        if (volume.At(x, y, z) == vertex)
+        {
+          voxels.push_back({ { x, y, z } });
+        }
+      }
+    }
+  }
+  return voxels;
+}
+} // namespace
+
+TEST(GeodesicSeeds, GoRoundWhatIsNotInTheRegion)
+{
+  // Two corridors that are joined at x = 0.
+  const LabelVolume volume = MakeImage(
+    { { 9, 3, 1 } }, [](std::int32_t x, std::int32_t y, std::int32_t) { return VertexId{ y != 1 || x == 0 ? 1 : 2 }; });
+  const auto    voxels = VoxelsOf(volume, 1);
+  GeodesicSeeds seeds(volume, voxels);
+  EXPECT_EQ(seeds.SeedOf(0), GeodesicSeeds::None);
+  seeds.Add({ { 8, 0, 0 } });
+  seeds.Add({ { 1, 2, 0 } });
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    const int way = voxels[i][1] == 0 ? 8 - voxels[i][0] : 8 + voxels[i][1] + voxels[i][0];
+    EXPECT_EQ(seeds.SeedOf(i) == 0, way <= 5) << voxels[i][0] << ' ' << voxels[i][1];
+  }
+}
+
+TEST(GeodesicSeeds, CoverASurface)
+{
+  const LabelVolume volume = MakeImage({ { 30, 30, 30 } }, [](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const double r = Norm({ { x - 14.5, y - 14.5, z - 14.5 } });
+    return VertexId{ r > 11.0 && r < 13.0 ? 1 : 0 };
+  });
+  const auto        voxels = VoxelsOf(volume, 1);
+  GeodesicSeeds     seeds(volume, voxels);
+  seeds.Cover(voxels);
+  EXPECT_GE(seeds.NumberOfSeeds(), 4);
+  EXPECT_LE(seeds.NumberOfSeeds(), 14);
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    EXPECT_NE(seeds.SeedOf(i), GeodesicSeeds::None);
+  }
+  const int before = seeds.NumberOfSeeds();
+  seeds.Cover(voxels);
+  EXPECT_EQ(seeds.NumberOfSeeds(), before);
+}
