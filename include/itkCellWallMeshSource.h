@@ -51,20 +51,20 @@ public:
   void
   UsePaperPreset();
 
-  /** Seed of the annealing; default 1. */
+  /** Seed of the paper preset's annealing; default 1. */
   void
   SetSeed(SeedType seed);
   SeedType
   GetSeed() const;
 
-  /** l_max: surface triangles with a longer edge are removed in the clean-up; in the image's units. Default 0: from the
-   * distances of neighbouring cells. */
+  /** l_max: surface triangles with a longer edge are removed in the paper preset's clean-up; in the image's units.
+   * Default 0: from the distances of neighbouring cells. */
   void
   SetMaximumEdgeLength(double length);
   double
   GetMaximumEdgeLength() const;
 
-  /** Temperature cycles of the annealing, 0 .. 1000; default 5. */
+  /** Temperature cycles of the paper preset's annealing, 0 .. 1000; default 5. */
   void
   SetNumberOfCycles(int cycles);
   int
@@ -83,7 +83,7 @@ public:
   int
   GetRefinement() const;
 
-  /** Iterations of the walls' smoothing, 0 .. 10000; default 10. */
+  /** Iterations of the smoothing of walls that are not fitted, 0 .. 10000; default 10. */
   void
   SetSmoothingIterations(int iterations);
   int

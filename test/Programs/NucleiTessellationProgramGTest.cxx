@@ -335,8 +335,10 @@ TEST_F(NucleiTessellationApp, OtherFilesAndOptionsThatAreRefused)
   this->ExpectRefusal("points.csv walls.vtp --box none.mha", { "NucleiTessellation: none.mha: no such file" });
   this->ExpectRefusal("points.csv walls.vtp --evaluateAgainst none.mha", { "none.mha: no such file" });
   this->ExpectRefusal("points.csv walls.vtp --voxelsPerCell 1", { "--voxelsPerCell: 1 is out of range" });
-  this->ExpectRefusal("points.csv walls.vtp --delaunayWeight=-1", { "delaunayWeight is -1, must be in 0 .. 1e+06" });
-  this->ExpectRefusal("points.csv walls.vtp --unitLength=-2", { "unitLength is -2, must be in 1e-12 .. 1e+12" });
+  this->ExpectRefusal("points.csv walls.vtp --preset paper --delaunayWeight=-1",
+                      { "delaunayWeight is -1, must be in 0 .. 1e+06" });
+  this->ExpectRefusal("points.csv walls.vtp --preset paper --unitLength=-2",
+                      { "unitLength is -2, must be in 1e-12 .. 1e+12" });
   this->ExpectRefusal("points.csv walls.vtp --membraneSigma -1", { "--membraneSigma: -1 is out of range" });
   const auto flat = ImageType::New();
   flat->SetRegions(m_Tissue->GetLargestPossibleRegion());

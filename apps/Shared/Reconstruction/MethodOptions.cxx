@@ -59,6 +59,14 @@ private:
   std::string                m_Default;
   ReconstructionParameters & m_Parameters;
 };
+/** Refuses every value of an option that the preset does not know, rather than to ignore it. */
+CLI::Validator
+OfOtherPreset(const Parameter & parameter)
+{
+  const std::string fault =
+    *parameter.source == ComplexSource::Centers ? "only with --preset paper" : "not with --preset paper";
+  return CLI::Validator([fault](const std::string &) { return fault; }, "");
+}
 } // namespace
 
 MethodOptions
@@ -89,7 +97,15 @@ AddMethodOptions(CLI::App & app, MethodOptions & options)
   {
     if (parameter.use == ParameterUse::Option)
     {
-      std::visit(ParameterOption(app, parameter, options.parameters), parameter.kind)->group(group);
+      CLI::Option * const option = std::visit(ParameterOption(app, parameter, options.parameters), parameter.kind);
+      if (IsUsed(parameter, options.parameters))
+      {
+        option->group(group);
+      }
+      else
+      {
+        option->group(group + " of the other preset")->check(OfOtherPreset(parameter));
+      }
     }
   }
 }
@@ -113,7 +129,7 @@ AddToJson(const ReconstructionParameters & parameters, nlohmann::ordered_json & 
   nlohmann::ordered_json fixed;
   for (const Parameter & parameter : GetParameterTable())
   {
-    if (parameter.use != ParameterUse::Internal)
+    if (parameter.use != ParameterUse::Internal && IsUsed(parameter, parameters))
     {
       auto & group = parameter.use == ParameterUse::Fixed ? fixed : json;
       std::visit([&](const auto & value) { group[parameter.option] = value; }, GetValue(parameter, parameters));

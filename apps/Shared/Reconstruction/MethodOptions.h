@@ -42,7 +42,7 @@ AddMethodOptions(CLI::App & app, MethodOptions & options);
 void
 RequireInRange(const ReconstructionParameters & parameters);
 
-/** The parameters for the report. */
+/** The parameters for the report, without those that the way to the complex does not know. */
 void
 AddToJson(const ReconstructionParameters & parameters, nlohmann::ordered_json & json);
 } // namespace tissue

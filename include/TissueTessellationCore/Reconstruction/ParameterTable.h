@@ -9,6 +9,7 @@
 
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -96,6 +97,8 @@ struct Parameter
   /** Unique; the name of the option, without its dashes, and in the report. */
   std::string  option;
   ParameterUse use;
+  /** The way to the complex that knows it; nothing: both. */
+  std::optional<ComplexSource> source;
   /** What it is, for a user. */
   std::string words;
 
@@ -106,6 +109,10 @@ struct Parameter
  * programs, their report and the print of the ITK filters are made of it. */
 const std::vector<Parameter> &
 GetParameterTable();
+
+/** Whether it makes a difference by the parameters' way to the complex. */
+bool
+IsUsed(const Parameter & parameter, const ReconstructionParameters & parameters);
 
 /** Of an enumeration the name of the value. */
 using ParameterValue = std::variant<bool, int, double, std::uint64_t, std::string>;

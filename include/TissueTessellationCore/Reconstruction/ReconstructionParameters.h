@@ -30,16 +30,19 @@ enum class AdjacencyPreference
 };
 
 /** \brief All that can be chosen between a JunctionSet and its wall mesh. A default-constructed object is the preset
- * for label images, PaperPreset() the paper's method to the letter; there is one of either kind for points. */
+ * for label images, also for those made of points, PaperPreset() the paper's method to the letter, PaperPointsPreset()
+ * that for points alone. */
 struct ReconstructionParameters
 {
-  ComplexSource       source = ComplexSource::Image;
+  ComplexSource source = ComplexSource::Image;
+  /** Of a complex from the image. */
   AdjacencyPreference preference = AdjacencyPreference::Walls;
 
-  /** l_max of the clean-up, in the image's units; 0: maximumEdgeLengthFactor times the median distance of neighbours.
+  /** Of a complex from centres, as all that follows up to the corners: l_max of the clean-up, in the image's units; 0:
+   * maximumEdgeLengthFactor times the median distance of neighbours.
    */
   double maximumEdgeLength = 0.0;
-  double maximumEdgeLengthFactor = 1.2;
+  double maximumEdgeLengthFactor = 1.4;
   /** Whether the automatic l_max follows the local spacing of the centres (LocalSpacing.h) in place of the median
    * distance; it does where no neighbours are known. */
   bool localMaximumEdgeLength = false;
@@ -47,6 +50,7 @@ struct ReconstructionParameters
   EnergyParameters    energy;
   AnnealingParameters annealing;
 
+  /** Of a complex from centres. */
   CornerRule corners = CornerRule::ImageJunction;
   /** Whether the walls are fitted to the label image, where there is one (WallFitting.h); else they are smoothed stars.
    */
@@ -60,13 +64,6 @@ struct ReconstructionParameters
 
   /** Whether every stage keeps its tetrahedra (ReconstructionStage). */
   bool keepStages = false;
-
-  ReconstructionParameters();
-
-  /** The preset for junctions with votes, which are an estimate from points (PointTissue.h): where the votes leave it
-   * open, as they do the more the less exact the points are, numbers of neighbours and nearness to Delaunay decide. */
-  static ReconstructionParameters
-  PointsPreset();
 
   /** Sections 3 and 4 of the paper: one complex, clean-up by length alone, geometric legality, projected Delaunay
    * rings, the energy of three terms at the paper's weights, corners from the cell centres. */

@@ -50,7 +50,7 @@ void
 Add(const std::string & name, const std::string & words, const decltype(Parameter::kind) & kind,
     std::vector<Parameter> & table)
 {
-  table.push_back({ name, name, ParameterUse::Option, words, kind });
+  table.push_back({ name, name, ParameterUse::Option, std::nullopt, words, kind });
 }
 
 void
@@ -140,7 +140,16 @@ AddEnergy(std::vector<Parameter> & table)
 }
 
 void
-AddWalls(std::vector<Parameter> & table)
+AddAnnealingSeed(std::vector<Parameter> & table)
+{
+  Add("seed",
+      "Seed of the annealing",
+      SeedParameter{ At<&P::annealing, &Annealing::seed>, { 0.0, 9007199254740992.0 } },
+      table);
+}
+
+void
+AddCorners(std::vector<Parameter> & table)
 {
   Add("corners",
       "Where the cells' corners come from",
@@ -148,15 +157,30 @@ AddWalls(std::vector<Parameter> & table)
                                      { "image", static_cast<int>(CornerRule::ImageJunction) },
                                      { "lifted", static_cast<int>(CornerRule::LiftedCircumcenter) } }),
       table);
+}
+
+void
+AddFittedWalls(std::vector<Parameter> & table)
+{
   Add("trianglesPerCell",
       "Wanted triangles a cell, each counted once, 40 .. 10000",
       RealParameter{ At<&P::trianglesPerCell>, { 40.0, 10000.0 } },
       table);
   table.back().option = "triangles";
+}
+
+void
+AddWalls(std::vector<Parameter> & table)
+{
   Add("refinement",
       "0: the walls are stars; without a fit the times that each triangle is split in four, 0 .. 3",
       IntegerParameter{ At<&P::refinement>, { 0.0, 3.0 } },
       table);
+}
+
+void
+AddSmoothing(std::vector<Parameter> & table)
+{
   Add("smoothingIterations",
       "Iterations of the walls' smoothing",
       IntegerParameter{ At<&P::smoothingIterations>, { 0.0, 10000.0 } },
@@ -197,22 +221,27 @@ std::vector<Parameter>
 MakeTable()
 {
   std::vector<Parameter> table;
-  const auto             addGroup = [&table](ParameterUse use, void (*add)(std::vector<Parameter> &)) {
+  const auto             addGroup = [&table](ParameterUse use, std::optional<ComplexSource> source, auto... groups) {
     const std::size_t first = table.size();
-    add(table);
-    std::for_each(table.begin() + first, table.end(), [use](Parameter & parameter) { parameter.use = use; });
+    (groups(table), ...);
+    std::for_each(table.begin() + first, table.end(), [&](Parameter & parameter) {
+      parameter.use = use;
+      parameter.source = source;
+    });
   };
-  addGroup(ParameterUse::Option, AddComplex);
-  addGroup(ParameterUse::Option, AddCleanUp);
-  addGroup(ParameterUse::Option, AddAnnealing);
-  addGroup(ParameterUse::Option, AddEnergy);
-  addGroup(ParameterUse::Option, AddWalls);
-  Add("seed",
-      "Seed of the annealing",
-      SeedParameter{ At<&P::annealing, &Annealing::seed>, { 0.0, 9007199254740992.0 } },
-      table);
-  addGroup(ParameterUse::Fixed, AddFixed);
-  addGroup(ParameterUse::Internal, AddSwitches);
+  // Walls that are fitted to the image go with the complex that is taken from it, in the presets.
+  addGroup(ParameterUse::Option, ComplexSource::Image, AddComplex, AddFittedWalls);
+  addGroup(ParameterUse::Option, std::nullopt, AddWalls);
+  addGroup(ParameterUse::Option,
+           ComplexSource::Centers,
+           AddCleanUp,
+           AddAnnealing,
+           AddAnnealingSeed,
+           AddEnergy,
+           AddCorners,
+           AddSmoothing);
+  addGroup(ParameterUse::Fixed, std::nullopt, AddFixed);
+  addGroup(ParameterUse::Internal, std::nullopt, AddSwitches);
   return table;
 }
 
@@ -287,6 +316,12 @@ GetParameterTable()
 {
   static const std::vector<Parameter> table = MakeTable();
   return table;
+}
+
+bool
+IsUsed(const Parameter & parameter, const ReconstructionParameters & parameters)
+{
+  return parameter.source.value_or(parameters.source) == parameters.source;
 }
 
 ParameterValue

@@ -12,34 +12,11 @@
 
 namespace tissue
 {
-ReconstructionParameters::ReconstructionParameters()
-{
-  // The image tells the neighbours: the terms without it only pull away from what it shows.
-  energy.neighborWeight = 0.0;
-  energy.lengthWeight = 0.0;
-  annealing.legality = Legality::Combinatorial;
-  annealing.ringRule = RingRule::BestOfReference;
-  annealing.maximumDegree = 12;
-}
-
-ReconstructionParameters
-ReconstructionParameters::PointsPreset()
-{
-  ReconstructionParameters parameters;
-  parameters.source = ComplexSource::Centers;
-  parameters.energy.neighborWeight = 0.02;
-  parameters.energy.delaunayWeight = 30.0;
-  return parameters;
-}
-
 ReconstructionParameters
 ReconstructionParameters::PaperPreset()
 {
   ReconstructionParameters parameters;
   parameters.source = ComplexSource::Centers;
-  parameters.maximumEdgeLengthFactor = 1.4;
-  parameters.energy = EnergyParameters();
-  parameters.annealing = AnnealingParameters();
   parameters.corners = CornerRule::ProjectedCircumcenter;
   parameters.fitToImage = false;
   return parameters;

@@ -20,7 +20,6 @@ namespace
 using namespace tissue;
 
 const ReconstructionParameters Presets[] = { ReconstructionParameters(),
-                                             ReconstructionParameters::PointsPreset(),
                                              ReconstructionParameters::PaperPreset(),
                                              ReconstructionParameters::PaperPointsPreset() };
 
@@ -101,6 +100,17 @@ TEST(ParameterTable, HasThePresetsInItsRanges)
   }
 }
 
+TEST(ParameterTable, TellsWhatTheWayToTheComplexUses)
+{
+  const ReconstructionParameters ofImage;
+  const auto                     ofCenters = ReconstructionParameters::PaperPreset();
+  EXPECT_TRUE(IsUsed(Find("prefer"), ofImage));
+  EXPECT_FALSE(IsUsed(Find("prefer"), ofCenters));
+  EXPECT_FALSE(IsUsed(Find("seed"), ofImage));
+  EXPECT_TRUE(IsUsed(Find("seed"), ofCenters));
+  EXPECT_TRUE(IsUsed(Find("refinement"), ofImage) && IsUsed(Find("refinement"), ofCenters));
+}
+
 TEST(ParameterTable, IsWhatCheckRefusesBy)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -136,9 +146,9 @@ TEST(ParameterTable, ReadsAndNamesValuesOfAnyKind)
   const auto text = [&parameters](const std::string & name) { return ToString(GetValue(Find(name), parameters)); };
   EXPECT_EQ(text("trianglesPerCell"), "150");
   EXPECT_EQ(text("refinement"), "1");
-  EXPECT_EQ(text("separateParts"), "true");
+  EXPECT_EQ(text("fitToImage"), "true");
   EXPECT_EQ(text("seed"), "18446744073709551615");
-  EXPECT_EQ(text("legality"), "combinatorial");
+  EXPECT_EQ(text("legality"), "geometric");
   EXPECT_EQ(ErrorOf(parameters), "none") << "every seed is good";
 }
 
@@ -161,5 +171,5 @@ TEST(ParameterTable, SetsEnumerationsByTheNamesOfTheirValues)
       number += static_cast<int>(names.size());
     }
   }
-  EXPECT_EQ(number, 7);
+  EXPECT_EQ(number, 11);
 }
