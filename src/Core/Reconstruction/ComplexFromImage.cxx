@@ -10,6 +10,7 @@
 #include "TissueTessellationCore/Common/Stopwatch.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace tissue
@@ -109,6 +110,11 @@ TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume,
   ImageTopologyParameters topologyParameters;
   topologyParameters.preferences = ChoosePreferences(parameters, cells.junctions);
   topologyParameters.votes = cells.junctions.votes;
+  if (!cells.junctions.votes.empty())
+  {
+    // Fragments of estimated cells mean nothing.
+    topologyParameters.minimumFragmentVoxels = std::numeric_limits<std::int64_t>::max();
+  }
   TissueComplex complex;
   const auto    addStage = [&](const std::string & name, const ImageTopology & topology) {
     const double seconds = stopwatch.Lap().wallSeconds;
