@@ -26,9 +26,15 @@ TEST(AdjacencyOverlap, OverlapByHand)
 {
   const AdjacencyComplex complex(6, Bipyramid(3));
   JunctionSet            junctions = JunctionsOf(complex, BipyramidCenters(std::vector<Point>(3)));
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency2, 1.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency4, 1.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions)).adjacency4OfNeighbors, 1.0);
+  EXPECT_DOUBLE_EQ(
+    ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), ReferenceAdjacency(junctions)).adjacency2,
+    1.0);
+  EXPECT_DOUBLE_EQ(
+    ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), ReferenceAdjacency(junctions)).adjacency4,
+    1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), ReferenceAdjacency(junctions))
+                     .adjacency4OfNeighbors,
+                   1.0);
 
   // Of 15 pairs (all of six vertices) and 9 quadruples the image lacks two each, and it has one quadruple more.
   ASSERT_EQ(junctions.walls.size(), 15u);
@@ -44,7 +50,8 @@ TEST(AdjacencyOverlap, OverlapByHand)
   std::sort(junctions.junctions.begin(), junctions.junctions.end(), [](const Junction & a, const Junction & b) {
     return a.cells < b.cells;
   });
-  const AdjacencyOverlap overlap = ComputeAdjacencyOverlap(complex, ReferenceAdjacency(junctions));
+  const AdjacencyOverlap overlap =
+    ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), ReferenceAdjacency(junctions));
   EXPECT_DOUBLE_EQ(overlap.adjacency2, 13.0 / 15.0);
   EXPECT_DOUBLE_EQ(overlap.adjacency4, 7.0 / 10.0);
   // The pairs that the image lacks are of the exterior and of cells of the ring: three quadruples have neither.
@@ -70,8 +77,9 @@ TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
     t = { { idsBack[t[0]], idsBack[t[1]], idsBack[t[2]], idsBack[t[3]] } };
   }
   tetrahedra.push_back(tetrahedra.front());
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, ids, image).adjacency2, 1.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, ids, image).adjacency4, 1.0);
+  const AdjacencyTuples tuples = AdjacencyTuples::Of(tetrahedra);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, ids, image).adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, ids, image).adjacency4, 1.0);
 
   // A vertex without a counterpart has five of the 15 pairs, and so many of the nine quadruples.
   std::vector<VertexId> unknown = ids;
@@ -79,8 +87,8 @@ TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
   const auto has = [](const Junction & junction) { return junction.cells[3] == 5; };
   const auto lost = static_cast<double>(std::count_if(image.junctions.begin(), image.junctions.end(), has));
   ASSERT_GT(lost, 2.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).adjacency2, 10.0 / 20.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).adjacency4, (9.0 - lost) / (9.0 + lost));
-  EXPECT_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).numberOfFalsePairs, 5u);
-  EXPECT_EQ(ComputeAdjacencyOverlap(tetrahedra, unknown, image).numberOfMissingPairs, 5u);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).adjacency2, 10.0 / 20.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).adjacency4, (9.0 - lost) / (9.0 + lost));
+  EXPECT_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).numberOfFalsePairs, 5u);
+  EXPECT_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).numberOfMissingPairs, 5u);
 }

@@ -22,6 +22,14 @@ Degrees(double radians)
   return radians * 180.0 / std::acos(-1.0);
 }
 
+ComplexStatistics
+StatisticsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+             const EnergyParameters & parameters)
+{
+  const auto tetrahedra = complex.GetTetrahedra();
+  return ComputeStatistics(tetrahedra, AdjacencyTuples::Of(tetrahedra), centers, reference, parameters);
+}
+
 const std::vector<Point> CubeCorner{ NoPosition, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
 } // namespace
 
@@ -30,7 +38,7 @@ TEST(ComplexStatistics, OfTheRegularTetrahedron)
   const AdjacencyComplex   complex(5, FourSimplex());
   const auto               centers = RegularTetrahedron();
   const ReferenceAdjacency reference(JunctionsOf(complex, centers));
-  const auto               statistics = ComputeStatistics(complex, centers, &reference, {});
+  const auto               statistics = StatisticsOf(complex, centers, &reference, {});
   EXPECT_DOUBLE_EQ(statistics.overlap.adjacency2, 1.0);
   EXPECT_DOUBLE_EQ(statistics.overlap.adjacency4, 1.0);
   EXPECT_NEAR(statistics.eccentricity, 0.0, 1e-12);
@@ -48,7 +56,7 @@ TEST(ComplexStatistics, OfTheRegularTetrahedron)
 TEST(ComplexStatistics, OfTheCornerOfACube)
 {
   const AdjacencyComplex complex(5, FourSimplex());
-  const auto             statistics = ComputeStatistics(complex, CubeCorner, nullptr, {});
+  const auto             statistics = StatisticsOf(complex, CubeCorner, nullptr, {});
   const double           area = 1.5 + std::sqrt(3.0) / 2.0;
   EXPECT_NEAR(statistics.eccentricity, 1.0 - 6.0 * std::sqrt(3.0) / (area * area * area), 1e-12);
   EXPECT_NEAR(statistics.minimalDihedralAngle, Degrees(std::acos(1.0 / std::sqrt(3.0))), 1e-9);
@@ -62,9 +70,9 @@ TEST(ComplexStatistics, CountsInvertedAndFlatTetrahedra)
   const AdjacencyComplex complex(5, FourSimplex());
   auto                   centers = CubeCorner;
   std::swap(centers[1], centers[2]);
-  EXPECT_EQ(ComputeStatistics(complex, centers, nullptr, {}).numberOfInvertedTetrahedra, 1u);
+  EXPECT_EQ(StatisticsOf(complex, centers, nullptr, {}).numberOfInvertedTetrahedra, 1u);
   centers[4] = { { 0.2, 0.2, 0 } };
-  const auto flat = ComputeStatistics(complex, centers, nullptr, {});
+  const auto flat = StatisticsOf(complex, centers, nullptr, {});
   EXPECT_EQ(flat.numberOfInvertedTetrahedra, 1u);
   EXPECT_NEAR(flat.eccentricity, 1.0, 1e-12);
 }
@@ -74,7 +82,7 @@ TEST(ComplexStatistics, TellsInnerFromEpidermalCells)
   // A cell inside of four: 4 neighbours instead of 13; the others have five, the exterior counted, instead of 10.
   auto centers = RegularTetrahedron();
   centers.push_back({ { 0, 0, 0 } });
-  const auto statistics = ComputeStatistics(DelaunayComplex(centers), centers, nullptr, {});
+  const auto statistics = StatisticsOf(DelaunayComplex(centers), centers, nullptr, {});
   EXPECT_EQ(statistics.numberOfEpidermalCells, 4u);
   EXPECT_EQ(statistics.numberOfInnerTetrahedra, 4u);
   EXPECT_NEAR(statistics.neighborhoodError, (4 * 0.25 + 81.0 / 169.0) / 5.0, 1e-12);
