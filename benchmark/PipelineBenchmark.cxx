@@ -159,7 +159,7 @@ Optimization(benchmark::State & state)
         complex, tissue.centers, &tissue.reference, tissue.parameters.energy, tissue.parameters.annealing)
         .Run();
       seconds += stopwatch.Lap().processorSeconds;
-      adjacency4 += ComputeAdjacencyOverlap(complex, tissue.reference).adjacency4;
+      adjacency4 += ComputeAdjacencyOverlap(AdjacencyTuples::Of(complex.GetTetrahedra()), tissue.reference).adjacency4;
     }
     state.SetIterationTime(seconds / static_cast<double>(tissues.size()));
   }

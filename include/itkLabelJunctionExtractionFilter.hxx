@@ -305,10 +305,6 @@ LabelJunctionExtractionFilter<TLabelImage>::TransformToPhysicalSpace(tissue::Jun
   {
     transform(junctions.cells[i].center);
   }
-  for (tissue::Cell & enclosed : junctions.voids)
-  {
-    transform(enclosed.center);
-  }
   for (tissue::Wall & wall : junctions.walls)
   {
     transform(wall.center);

@@ -90,8 +90,7 @@ public:
 
 #ifndef ITK_WRAPPING_PARSER
   /** The votes on which cells meet, by vertices that are labels, for C++; valid after the update, and none for a layer.
-   * The JunctionSet of the output takes them, so that its adjacencies are optimized by them, best with
-   * tissue::ReconstructionParameters::PointsPreset(). */
+   * The JunctionSet of the output takes them, so that its adjacencies are optimized by them. */
   const std::vector<tissue::JunctionVote> &
   GetVotes() const
   {

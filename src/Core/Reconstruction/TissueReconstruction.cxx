@@ -38,7 +38,7 @@ SeparateCenters(const JunctionSet & junctions, std::vector<CellRemark> & remarks
   const double    step = 1e-3 * (typical > 0.0 ? typical : 1.0);
   for (VertexId v = ExteriorVertex; v < junctions.NumberOfVertices(); ++v)
   {
-    const Cell & cell = junctions.CellOfVertex(v);
+    const Cell & cell = junctions.cells[v];
     Point        center = cell.center;
     if (!centers.empty())
     {

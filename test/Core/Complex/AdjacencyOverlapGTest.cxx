@@ -77,8 +77,9 @@ TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
     t = { { idsBack[t[0]], idsBack[t[1]], idsBack[t[2]], idsBack[t[3]] } };
   }
   tetrahedra.push_back(tetrahedra.front());
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), ids, image).adjacency2, 1.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), ids, image).adjacency4, 1.0);
+  const AdjacencyTuples tuples = AdjacencyTuples::Of(tetrahedra);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, ids, image).adjacency2, 1.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, ids, image).adjacency4, 1.0);
 
   // A vertex without a counterpart has five of the 15 pairs, and so many of the nine quadruples.
   std::vector<VertexId> unknown = ids;
@@ -86,9 +87,8 @@ TEST(AdjacencyOverlap, OverlapOfTetrahedraOverOtherVertices)
   const auto has = [](const Junction & junction) { return junction.cells[3] == 5; };
   const auto lost = static_cast<double>(std::count_if(image.junctions.begin(), image.junctions.end(), has));
   ASSERT_GT(lost, 2.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), unknown, image).adjacency2, 10.0 / 20.0);
-  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), unknown, image).adjacency4,
-                   (9.0 - lost) / (9.0 + lost));
-  EXPECT_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), unknown, image).numberOfFalsePairs, 5u);
-  EXPECT_EQ(ComputeAdjacencyOverlap(AdjacencyTuples::Of(tetrahedra), unknown, image).numberOfMissingPairs, 5u);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).adjacency2, 10.0 / 20.0);
+  EXPECT_DOUBLE_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).adjacency4, (9.0 - lost) / (9.0 + lost));
+  EXPECT_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).numberOfFalsePairs, 5u);
+  EXPECT_EQ(ComputeAdjacencyOverlap(tuples, unknown, image).numberOfMissingPairs, 5u);
 }

@@ -22,14 +22,15 @@ Degrees(double radians)
   return radians * 180.0 / std::acos(-1.0);
 }
 
-const std::vector<Point> CubeCorner{ NoPosition, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
-
 ComplexStatistics
-StatisticsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference)
+StatisticsOf(const AdjacencyComplex & complex, const std::vector<Point> & centers, const ReferenceAdjacency * reference,
+             const EnergyParameters & parameters)
 {
-  const std::vector<VertexQuadruple> tetrahedra = complex.GetTetrahedra();
-  return ComputeStatistics(tetrahedra, AdjacencyTuples::Of(tetrahedra), centers, reference, {});
+  const auto tetrahedra = complex.GetTetrahedra();
+  return ComputeStatistics(tetrahedra, AdjacencyTuples::Of(tetrahedra), centers, reference, parameters);
 }
+
+const std::vector<Point> CubeCorner{ NoPosition, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
 } // namespace
 
 TEST(ComplexStatistics, OfTheRegularTetrahedron)
@@ -37,7 +38,7 @@ TEST(ComplexStatistics, OfTheRegularTetrahedron)
   const AdjacencyComplex   complex(5, FourSimplex());
   const auto               centers = RegularTetrahedron();
   const ReferenceAdjacency reference(JunctionsOf(complex, centers));
-  const auto               statistics = StatisticsOf(complex, centers, &reference);
+  const auto               statistics = StatisticsOf(complex, centers, &reference, {});
   EXPECT_DOUBLE_EQ(statistics.overlap.adjacency2, 1.0);
   EXPECT_DOUBLE_EQ(statistics.overlap.adjacency4, 1.0);
   EXPECT_NEAR(statistics.eccentricity, 0.0, 1e-12);
@@ -55,7 +56,7 @@ TEST(ComplexStatistics, OfTheRegularTetrahedron)
 TEST(ComplexStatistics, OfTheCornerOfACube)
 {
   const AdjacencyComplex complex(5, FourSimplex());
-  const auto             statistics = StatisticsOf(complex, CubeCorner, nullptr);
+  const auto             statistics = StatisticsOf(complex, CubeCorner, nullptr, {});
   const double           area = 1.5 + std::sqrt(3.0) / 2.0;
   EXPECT_NEAR(statistics.eccentricity, 1.0 - 6.0 * std::sqrt(3.0) / (area * area * area), 1e-12);
   EXPECT_NEAR(statistics.minimalDihedralAngle, Degrees(std::acos(1.0 / std::sqrt(3.0))), 1e-9);
@@ -69,9 +70,9 @@ TEST(ComplexStatistics, CountsInvertedAndFlatTetrahedra)
   const AdjacencyComplex complex(5, FourSimplex());
   auto                   centers = CubeCorner;
   std::swap(centers[1], centers[2]);
-  EXPECT_EQ(StatisticsOf(complex, centers, nullptr).numberOfInvertedTetrahedra, 1u);
+  EXPECT_EQ(StatisticsOf(complex, centers, nullptr, {}).numberOfInvertedTetrahedra, 1u);
   centers[4] = { { 0.2, 0.2, 0 } };
-  const auto flat = StatisticsOf(complex, centers, nullptr);
+  const auto flat = StatisticsOf(complex, centers, nullptr, {});
   EXPECT_EQ(flat.numberOfInvertedTetrahedra, 1u);
   EXPECT_NEAR(flat.eccentricity, 1.0, 1e-12);
 }
@@ -81,7 +82,7 @@ TEST(ComplexStatistics, TellsInnerFromEpidermalCells)
   // A cell inside of four: 4 neighbours instead of 13; the others have five, the exterior counted, instead of 10.
   auto centers = RegularTetrahedron();
   centers.push_back({ { 0, 0, 0 } });
-  const auto statistics = StatisticsOf(DelaunayComplex(centers), centers, nullptr);
+  const auto statistics = StatisticsOf(DelaunayComplex(centers), centers, nullptr, {});
   EXPECT_EQ(statistics.numberOfEpidermalCells, 4u);
   EXPECT_EQ(statistics.numberOfInnerTetrahedra, 4u);
   EXPECT_NEAR(statistics.neighborhoodError, (4 * 0.25 + 81.0 / 169.0) / 5.0, 1e-12);

@@ -98,30 +98,21 @@ TEST(PointJunctions, ConcaveTissueStaysConcave)
   parameters.keepStages = true;
   const TissueReconstruction tissue = ReconstructTissue(set, parameters);
   EXPECT_TRUE(tissue.remarks.empty());
-  EXPECT_EQ(tissue.delaunay.tetrahedra.size(), tissue.delaunay.statistics.numberOfTetrahedra);
-  EXPECT_EQ(tissue.optimized.tetrahedra, tissue.tetrahedra);
+  ASSERT_EQ(tissue.stages.size(), 3u);
+  EXPECT_EQ(tissue.stages.front().tuples.quadruples.size(), tissue.stages.front().statistics.numberOfTetrahedra);
   // l_max is 1.5 times a distance of eight neighbours, six at 1 and others at the root of 2, fewer at the surface.
   EXPECT_NEAR(tissue.maximumEdgeLength, 1.7, 0.2);
 
-  const auto longest = [&](const std::vector<VertexQuadruple> & tetrahedra) {
+  const auto longest = [&](const ReconstructionStage & stage) {
     double length = 0.0;
-    for (const VertexQuadruple & t : tetrahedra)
+    for (const auto & [u, v] : stage.tuples.pairs)
     {
-      for (int i = 0; i < 4; ++i)
-      {
-        for (int j = i + 1; j < 4; ++j)
-        {
-          if (t[i] != ExteriorVertex && t[j] != ExteriorVertex)
-          {
-            length = std::max(length, Distance(set.cells[t[i]].center, set.cells[t[j]].center));
-          }
-        }
-      }
+      length = u == ExteriorVertex ? length : std::max(length, Distance(set.cells[u].center, set.cells[v].center));
     }
     return length;
   };
-  EXPECT_GT(longest(tissue.delaunay.tetrahedra), 8.0);
-  EXPECT_LT(longest(tissue.optimized.tetrahedra), 3.5);
+  EXPECT_GT(longest(tissue.stages.front()), 8.0);
+  EXPECT_LT(longest(tissue.stages.back()), 3.5);
   const auto check = CheckCellSurfaces(tissue.walls, static_cast<VertexId>(set.cells.size()));
   EXPECT_TRUE(check.cellsThatAreNoSphere.empty());
   double volume = 0.0;
