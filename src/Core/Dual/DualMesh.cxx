@@ -165,6 +165,16 @@ Dualize(const AdjacencyComplex & complex, std::vector<Point> corners)
   });
 }
 
+void
+TurnOver(DualMesh::Wall & wall)
+{
+  std::swap(wall.cells[0], wall.cells[1]);
+  std::reverse(wall.corners.begin(), wall.corners.end());
+  std::reverse(wall.lines.begin(), wall.lines.end());
+  // A line is listed at the corner before it.
+  std::rotate(wall.lines.begin(), wall.lines.begin() + 1, wall.lines.end());
+}
+
 WallMesh
 TriangulateAsStars(const DualMesh & dual)
 {

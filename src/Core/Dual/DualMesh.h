@@ -73,6 +73,10 @@ Dualize(const GeneralComplex & complex, std::vector<Point> corners, const LinePa
 DualMesh
 Dualize(const AdjacencyComplex & complex, std::vector<Point> corners);
 
+/** Swaps the cells of a wall, and turns its corners the other way round. */
+void
+TurnOver(DualMesh::Wall & wall);
+
 /** \brief Divides each wall into triangles around a new point at the mean of its outline (paper, section 4.2): a star.
  *
  * Outlines are the corners, and the middles of lines that are bent, or have both ends in common with another: without

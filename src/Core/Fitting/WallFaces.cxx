@@ -62,8 +62,8 @@ FindPieces(const LabelVolume & volume, const Place * begin, const Place * end)
 {
   // In doubled indices the centre of a face is odd along its axis and even along the others; the middles of its edges
   // are one further along one of these.
-  const auto                                        count = static_cast<std::size_t>(end - begin);
-  DisjointSets                                      sets(count);
+  const auto                                         count = static_cast<std::size_t>(end - begin);
+  DisjointSets                                       sets(count);
   std::map<std::array<std::int64_t, 3>, std::size_t> faceAtEdge;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -144,8 +144,8 @@ private:
     std::vector<int> votes(m_NumberOfPieces, 0);
     for (const Point & point : outline)
     {
-      const Place * nearest = std::min_element(
-        m_Begin, m_Begin + m_Pieces.size(), [&point](const Place & a, const Place & b) {
+      const Place * nearest =
+        std::min_element(m_Begin, m_Begin + m_Pieces.size(), [&point](const Place & a, const Place & b) {
           return SquaredDistance(a, point) < SquaredDistance(b, point);
         });
       ++votes[m_Pieces[static_cast<std::size_t>(nearest - m_Begin)]];

@@ -54,6 +54,8 @@ constexpr int LastVolumeSteps = 10;
 constexpr double VolumeTolerance = 1e-9;
 /** The shares of its way that a point is set back to, one after the other, while it makes triangles cross. */
 const std::vector<double> GuardShares = { 0.3, 0.0 };
+/** The same for the centres of the walls when they are lifted to the image, where the ways are long. */
+const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
 /** \brief Makes the star of a complex's dual and fits it, and the mesh it is remeshed to, to the label image. */
 class Fitter
@@ -153,12 +155,22 @@ public:
   }
 
 private:
-  /** Leaves out walls within a cell, and orders the others by the ranks of their cells. */
+  /** Leaves out walls within a cell, turns the others as WallMesh has them by their cells, and orders them by the ranks
+   * of these. */
   void
   TakeWallsInOrder(DualMesh & dual) const
   {
     const auto & cellOf = m_Tissue.cellOf;
-    const auto   isWithinCell = [&](const DualMesh::Wall & wall) {
+    for (DualMesh::Wall & wall : dual.walls)
+    {
+      const VertexId first = cellOf[wall.cells[0]];
+      const VertexId second = cellOf[wall.cells[1]];
+      if (second != ExteriorVertex && (first == ExteriorVertex || second < first))
+      {
+        TurnOver(wall);
+      }
+    }
+    const auto isWithinCell = [&](const DualMesh::Wall & wall) {
       return cellOf[wall.cells[0]] == cellOf[wall.cells[1]];
     };
     const auto key = [&](const DualMesh::Wall & wall) {
@@ -203,10 +215,11 @@ private:
     }
   }
 
-  /** Each wall's centre goes to the mean of its faces in the image. */
+  /** Each wall's centre goes towards the mean of its faces in the image, as far as nothing more crosses. */
   void
   LiftCenters(WallMesh & mesh) const
   {
+    const std::vector<Point>       before = mesh.points;
     const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
     for (std::size_t w = 0; w < mesh.walls.size(); ++w)
     {
@@ -220,6 +233,7 @@ private:
         mesh.points[mesh.triangles[first[w]][0]] = (1.0 / static_cast<double>(m_Faces.End(w) - m_Faces.Begin(w))) * sum;
       }
     }
+    StepBackFromCrossings(mesh, before, LiftShares, m_Execution);
   }
 
   void

@@ -164,9 +164,7 @@ WallProjection::SetWalls(const WallMesh & mesh, const std::vector<double> & edge
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
   {
     VertexPair pair = m_Complex.pairs[w];
-    m_Groups[w] = {
-      CellsOfVertices(pair, m_Complex.cellOf), {}, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w)
-    };
+    m_Groups[w] = { CellsOfVertices(pair, m_Complex.cellOf), {}, edgeLengths[w], {}, m_Faces.Begin(w), m_Faces.End(w) };
     std::sort(pair.begin(), pair.end());
     double & length = lengthOf.emplace(pair, edgeLengths[w]).first->second;
     length = std::min(length, edgeLengths[w]);

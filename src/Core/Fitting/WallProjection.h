@@ -82,8 +82,8 @@ private:
   const std::vector<Point> m_Corners;
   /** The cells at each of the corners. */
   std::vector<CellsAtPoint> m_CellsAtCorners;
-  ImagePlaces              m_LinePlaces;
-  std::vector<Group>       m_Lines;
+  ImagePlaces               m_LinePlaces;
+  std::vector<Group>        m_Lines;
   /** The groups of all walls, followed by those of the lines. */
   std::vector<Group> m_Groups;
 };
