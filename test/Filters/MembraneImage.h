@@ -9,6 +9,8 @@
 
 #include "LabelImageTestHelpers.h"
 
+#include <itkImageRegionConstIterator.h>
+
 namespace tissue_test
 {
 /** An image of the membranes of a label image, with its place in space: 200 in the voxels beside another label, less in
