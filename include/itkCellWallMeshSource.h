@@ -24,8 +24,8 @@ namespace itk
  * \brief Base of the filters that make a CellWallMesh: holds the parameters of the reconstruction.
  *
  * The preset sets all parameters at once; single ones can be changed after it. The default takes the adjacency complex
- * from the label image and fits the walls to it. PAPER is the method of the paper to the letter: a complex of the cells'
- * centres. Finer parameters are in tissue::ReconstructionParameters, for C++.
+ * from the label image and fits the walls to it. PAPER is the method of the paper to the letter: a complex of the
+ * cells' centres. Finer parameters are in tissue::ReconstructionParameters, for C++.
  *
  * \ingroup TissueTessellation
  */

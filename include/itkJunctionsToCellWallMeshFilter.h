@@ -28,8 +28,8 @@ class TissueJunctions;
  *
  * By UsePaperPreset() the complex starts as the Delaunay tetrahedralization of the cells' centres with a vertex for the
  * exterior, loses its oversized surface triangles, and is optimized by edge removals and triangle swaps; walls are
- * smoothed stars (G. Cerutti et al., 3-D tessellation of plant tissue, 3DV 2015, doi:10.1109/3DV.2015.57, sections 3 and
- * 4.2). It needs no label volume.
+ * smoothed stars (G. Cerutti et al., 3-D tessellation of plant tissue, 3DV 2015, doi:10.1109/3DV.2015.57, sections 3
+ * and 4.2). It needs no label volume.
  *
  * Progress is that of the whole; the filter can be aborted. Throws ExceptionObject for parameters out of range, for a
  * label volume that is missing or empty, and, by the paper's preset, for fewer than four cells and for cells whose

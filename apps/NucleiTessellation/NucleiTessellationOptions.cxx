@@ -71,9 +71,8 @@ ParseCommandLine(int argc, char ** argv)
   CLI::App app{ "From the centres of a tissue's cells or nuclei to the triangular mesh of all its cell walls.",
                 "NucleiTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  options.method = found.count(membrane) > 0
-                     ? ChoosePreset(found, Parameters(), Parameters::PaperPreset())
-                     : ChoosePreset(found, Parameters(), Parameters::PaperPointsPreset());
+  options.method = found.count(membrane) > 0 ? ChoosePreset(found, Parameters(), Parameters::PaperPreset())
+                                             : ChoosePreset(found, Parameters(), Parameters::PaperPointsPreset());
   AddInputOptions(app, found.count(centersOf) > 0, options);
   AddOutputOptions(app, options.outputs);
   AddEvaluationOptions(app, options.evaluation);

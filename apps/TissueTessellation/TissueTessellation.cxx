@@ -17,7 +17,7 @@ TissueInput
 ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
 {
   const ReconstructionParameters & parameters = options.method.parameters;
-  const bool needsVolume = parameters.fitToImage || parameters.source == ComplexSource::Image;
+  const bool                       needsVolume = parameters.fitToImage || parameters.source == ComplexSource::Image;
   const JunctionOptions junctionOptions{ options.image.exteriorLabel, options.image.zeroIsCell, needsVolume };
   return options.membrane.file.empty()
            ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)

@@ -33,7 +33,9 @@ JunctionsToCellWallMeshFilter::GetInput() const
 void
 JunctionsToCellWallMeshFilter::GenerateData()
 {
-  const TissueLabelVolume * const   labels = this->GetLabelVolume();
+  const auto & parameters = this->GetParameters();
+  const bool   needsVolume = parameters.fitToImage || parameters.source == tissue::ComplexSource::Image;
+  const TissueLabelVolume * const   labels = needsVolume ? this->GetLabelVolume() : nullptr;
   const tissue::LabelVolume * const volume = labels != nullptr ? &labels->GetLabelVolume() : nullptr;
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
   const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(

@@ -47,7 +47,12 @@ TEST_P(RealTissue, ReachesTheAgreementOfThePaperAndBeyond)
     const auto                check =
       tissue::CheckCellSurfaces(mesh.GetWallMesh(), static_cast<tissue::VertexId>(mesh.GetNumberOfCells() + 1));
     EXPECT_TRUE(check.cellsWithoutTriangles.empty());
-    EXPECT_TRUE(check.cellsThatAreNoSphere.empty());
+    // Three cells of p194-t2 have a handle in the image.
+    EXPECT_LE(check.cellsThatAreNoSphere.size(), 3u);
+    for (std::size_t v = tissue::ExteriorVertex + 1; v < check.cells.size(); ++v)
+    {
+      EXPECT_TRUE(check.cells[v].IsClosed()) << v;
+    }
     EXPECT_TRUE(check.crowdedPoints.empty());
   };
   filter->UsePaperPreset();

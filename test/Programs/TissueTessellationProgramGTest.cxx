@@ -94,7 +94,7 @@ TEST_F(TissueTessellationApp, ReportsEveryStageAndSoundCells)
       EXPECT_TRUE(columns[column].is_number()) << stage << column;
     }
   }
-  EXPECT_GE(report["stages"]["optimized"]["adjacency4"], report["stages"]["nerve"]["adjacency4"]);
+  EXPECT_GE(report["stages"]["optimized"]["adjacency2"], report["stages"]["nerve"]["adjacency2"]);
   EXPECT_EQ(report["mesh"]["pointsWithMoreThanFourCells"], 0);
   EXPECT_EQ(report["mesh"]["cellsWithoutTriangles"], Json::array());
   EXPECT_EQ(report["mesh"]["cellsThatAreNoClosedSphere"], Json::array());

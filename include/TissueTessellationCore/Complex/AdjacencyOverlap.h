@@ -33,8 +33,8 @@ struct AdjacencyOverlap
   std::size_t numberOfMissingPairs = 0;
 };
 
-/** \brief What cells a complex or a mesh says to touch: pairs and quadruples, each once, their vertices ascending, and all in
- * ascending order. */
+/** \brief What cells a complex or a mesh says to touch: pairs and quadruples, each once, their vertices ascending, and
+ * all in ascending order. */
 struct AdjacencyTuples
 {
   std::vector<VertexPair>      pairs;

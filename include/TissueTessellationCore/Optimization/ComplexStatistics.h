@@ -43,8 +43,8 @@ struct ComplexStatistics
   std::size_t numberOfEpidermalCells = 0;
 };
 
-/** Computes the statistics of a complex by its tetrahedra, positively oriented and each with the exterior first where it
- * has it, and its tuples. `reference` may be null. The ideal numbers of neighbours are those of the parameters. */
+/** Computes the statistics of a complex by its tetrahedra, positively oriented and each with the exterior first where
+ * it has it, and its tuples. `reference` may be null. The ideal numbers of neighbours are those of the parameters. */
 ComplexStatistics
 ComputeStatistics(const std::vector<VertexQuadruple> & tetrahedra, const AdjacencyTuples & tuples,
                   const std::vector<Point> & centers, const ReferenceAdjacency * reference,

@@ -80,12 +80,11 @@ ComputeAdjacencyOverlap(const AdjacencyTuples & tuples, const ReferenceAdjacency
   overlap.adjacency2 = Jaccard(commonPairs, tuples.pairs.size(), reference.NumberOfPairs());
   overlap.adjacency4 =
     Jaccard(CountIf(tuples.quadruples, isCommon), tuples.quadruples.size(), reference.NumberOfQuadruples());
-  overlap.adjacency4OfNeighbors = Jaccard(CountIf(tuples.quadruples,
-                                                  [&](const VertexQuadruple & q) {
-                                                    return isCommon(q) && areNeighbors(q) && areNeighborsInImage(q);
-                                                  }),
-                                          CountIf(tuples.quadruples, areNeighbors),
-                                          CountIf(reference.GetQuadruples(), areNeighborsInImage));
+  overlap.adjacency4OfNeighbors = Jaccard(
+    CountIf(tuples.quadruples,
+            [&](const VertexQuadruple & q) { return isCommon(q) && areNeighbors(q) && areNeighborsInImage(q); }),
+    CountIf(tuples.quadruples, areNeighbors),
+    CountIf(reference.GetQuadruples(), areNeighborsInImage));
   overlap.numberOfFalsePairs = tuples.pairs.size() - commonPairs;
   overlap.numberOfMissingPairs = reference.NumberOfPairs() - commonPairs;
   return overlap;

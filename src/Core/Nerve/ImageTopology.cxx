@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Nerve/ImageTopology.h"
 
+#include "Nerve/UnitedCell.h"
 #include "Nerve/VertexLinks.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageT
 /** Finds the fragments, the places and the nerve. */
 void
 ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumFragmentVoxels,
-          ImageTopology & topology, const Execution & execution)
+          std::vector<VertexId> whole, ImageTopology & topology, const Execution & execution)
 {
   topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
   LabelVolume &       copy = topology.volume;
@@ -120,6 +121,7 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
   execution.Report(0.6);
   auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
   LabelDivision division({}, topology.fragments.numberOfVertices);
+  division.whole = std::move(whole);
   if (!faulty.empty() || !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
   {
     division.volume = image == &copy ? std::move(copy) : volume;
@@ -133,6 +135,22 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
   execution.Report(0.7);
 }
+/** The divided cells whose pieces together have a surface that is no sphere, or several that are not all spheres. */
+std::vector<VertexId>
+FindTornCells(const ImageTopology & topology)
+{
+  std::vector<VertexId> torn;
+  for (const DividedCell & divided : topology.divided)
+  {
+    const VertexId cell = topology.cellOf[divided.cell];
+    if (cell != ExteriorVertex && !HasOnlySpheres(topology.nerve.complex, topology.cellOf, cell))
+    {
+      torn.push_back(divided.cell);
+    }
+  }
+  return torn;
+}
+
 } // namespace
 
 std::vector<ImageWall>
@@ -157,12 +175,14 @@ FindWallsWithoutCorners(const TissuePlaces & places)
   return walls;
 }
 
+namespace
+{
 ImageTopology
-FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
-                  const Execution & execution, const NerveVisitor & visit)
+MakeTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
+             std::vector<VertexId> whole, const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
-  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
+  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, std::move(whole), topology, execution);
   if (visit)
   {
     visit(topology);
@@ -172,6 +192,28 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
     topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
   topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
   topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
+  return topology;
+}
+} // namespace
+
+ImageTopology
+FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
+                  const Execution & execution, const NerveVisitor & visit)
+{
+  ImageTopology topology = MakeTopology(volume, numberOfVertices, parameters, {}, execution.Part(0.0, 0.6), visit);
+  // The pieces of a cell can get more than one wall in common by a move, or by how they lie: then it has a handle. Such
+  // a cell is better not divided, unless that takes a repair: then the handle is the image's.
+  std::vector<VertexId> torn = FindTornCells(topology);
+  if (!torn.empty())
+  {
+    ImageTopology other =
+      MakeTopology(volume, numberOfVertices, parameters, std::move(torn), execution.Part(0.6, 1.0), visit);
+    if (other.repairs.size() <= topology.repairs.size())
+    {
+      other.attempt = 1;
+      return other;
+    }
+  }
   return topology;
 }
 } // namespace tissue

@@ -41,7 +41,9 @@ struct ImageTopology
   /** Of each vertex of the complex the one of the image that it is a piece of: a cell, or the exterior. */
   std::vector<VertexId> cellOf;
   /** What was divided so that walls without corners are in the complex, and walls that are no disks. */
-  std::vector<DividedCell>       divided;
+  std::vector<DividedCell> divided;
+  /** 1 where it was made anew as some cells were better not divided. */
+  int                            attempt = 0;
   std::vector<NerveRepairRecord> repairs;
   PlaceDescentResult             descent;
   /** Walls of two cells that meet no other two anywhere: spheres, or disks and rings with lines that are closed. They
@@ -51,7 +53,7 @@ struct ImageTopology
   std::vector<VertexId> unsoundCells;
 };
 
-/** Called with the nerve before the repair. */
+/** Called with the nerve before the repair, in each attempt. */
 using NerveVisitor = std::function<void(const ImageTopology &)>;
 
 /** Nerve, division, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The
@@ -59,8 +61,7 @@ using NerveVisitor = std::function<void(const ImageTopology &)>;
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
                   const ImageTopologyParameters & parameters = ImageTopologyParameters(),
-                  const Execution &               execution = Execution(),
-                  const NerveVisitor &            visit = NerveVisitor());
+                  const Execution & execution = Execution(), const NerveVisitor & visit = NerveVisitor());
 
 /** The walls of a pair of cells that are among the cells of no corner place. */
 std::vector<ImageWall>

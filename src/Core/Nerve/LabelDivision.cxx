@@ -115,6 +115,7 @@ public:
   explicit Division(LabelDivision & division)
     : m_Volume(division.volume)
     , m_RealOf(division.realOf)
+    , m_Whole(division.whole)
   {}
 
   void
@@ -123,7 +124,10 @@ public:
     std::map<VertexId, Surfaces> ofVertex;
     for (const SplitCell & cell : split)
     {
-      this->AppendSurface(cell, ofVertex[cell.cell]);
+      if (!this->IsToStayWhole(cell.cell))
+      {
+        this->AppendSurface(cell, ofVertex[cell.cell]);
+      }
     }
     m_Starts = std::move(starts);
     this->AppendFaulty(ofVertex);
@@ -160,6 +164,12 @@ private:
   IsOutside(VertexId v) const
   {
     return m_RealOf[static_cast<std::size_t>(v)] == ExteriorVertex;
+  }
+
+  bool
+  IsToStayWhole(VertexId v) const
+  {
+    return std::binary_search(m_Whole.begin(), m_Whole.end(), m_RealOf[static_cast<std::size_t>(v)]);
   }
 
   /** All walls of the cell that are within it, as one surface. */
@@ -205,8 +215,12 @@ private:
       if (!this->IsForThird(*wall))
       {
         const int  larger = this->FindLarger(start.first, start.second);
+        const int  divided = this->IsToStayWhole(wall->cells[larger]) ? 1 - larger : larger;
         const bool isClosed = wall->numberOfCircles == 0 && wall->closedLines.empty();
-        ofVertex[wall->cells[larger]].push_back({ EachOnce(std::move(wall->voxels[larger])), isClosed });
+        if (!this->IsToStayWhole(wall->cells[divided]))
+        {
+          ofVertex[wall->cells[divided]].push_back({ EachOnce(std::move(wall->voxels[divided])), isClosed });
+        }
       }
     }
   }
@@ -434,9 +448,10 @@ private:
     }
   }
 
-  LabelVolume &           m_Volume;
-  std::vector<VertexId> & m_RealOf;
-  std::vector<KuhnEdge>   m_Starts;
+  LabelVolume &                 m_Volume;
+  std::vector<VertexId> &       m_RealOf;
+  const std::vector<VertexId> & m_Whole;
+  std::vector<KuhnEdge>         m_Starts;
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };

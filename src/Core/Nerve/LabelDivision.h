@@ -32,6 +32,8 @@ struct LabelDivision
   LabelVolume volume;
   /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
   std::vector<VertexId> realOf;
+  /** Cells that are to stay whole, ascending: the other cell of a wall is divided, or none. */
+  std::vector<VertexId> whole;
 
   VertexId
   NumberOfVertices() const

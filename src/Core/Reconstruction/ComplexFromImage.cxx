@@ -102,9 +102,8 @@ AddRemarks(const ImageTopology & topology, std::vector<CellRemark> & remarks)
 } // namespace
 
 TissueComplex
-TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume,
-                     const ReconstructionParameters & parameters, TissueReconstruction & result,
-                     const Execution & execution)
+TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume, const ReconstructionParameters & parameters,
+                     TissueReconstruction & result, const Execution & execution)
 {
   Stopwatch               stopwatch;
   ImageTopologyParameters topologyParameters;
@@ -116,19 +115,22 @@ TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume,
     topologyParameters.minimumFragmentVoxels = std::numeric_limits<std::int64_t>::max();
   }
   TissueComplex complex;
-  const auto    addStage = [&](const std::string & name, const ImageTopology & topology) {
+  const auto    makeStage = [&](const std::string & name, const ImageTopology & topology) {
     const double seconds = stopwatch.Lap().wallSeconds;
     result.tetrahedra = TetrahedraOfCells(topology.nerve.complex, topology.cellOf);
     complex.tuples = AdjacencyTuples::Of(result.tetrahedra, PairsOfCells(topology.nerve.complex, topology.cellOf));
-    result.stages.push_back(MakeStage(name, seconds, result.tetrahedra, complex.tuples, cells, parameters));
+    ReconstructionStage stage = MakeStage(name, seconds, result.tetrahedra, complex.tuples, cells, parameters);
     stopwatch.Lap();
+    return stage;
   };
-  ImageTopology topology = FindImageTopology(volume,
-                                             static_cast<VertexId>(cells.junctions.cells.size()),
-                                             topologyParameters,
-                                             execution,
-                                             [&](const ImageTopology & t) { addStage("nerve", t); });
-  addStage("optimized", topology);
+  std::vector<ReconstructionStage> nerves; // of each attempt
+  ImageTopology                    topology =
+    FindImageTopology(volume,
+                      static_cast<VertexId>(cells.junctions.cells.size()),
+                      topologyParameters,
+                      execution,
+                      [&](const ImageTopology & nerve) { nerves.push_back(makeStage("nerve", nerve)); });
+  result.stages = { nerves[static_cast<std::size_t>(topology.attempt)], makeStage("optimized", topology) };
   result.energy = topology.descent.energyAfter;
   AddRemarks(topology, result.remarks);
   complex.dual = DualizeNerve(topology.nerve, topology.places.corners, topology.cellOf, cells.centers);

@@ -102,7 +102,7 @@ PlanCuts(const WallMesh & mesh, const std::vector<double> & edgeLengths)
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
     WallLine & line = lines[i];
-    Cut cut;
+    Cut        cut;
     for (const PointId p : line.points)
     {
       cut.polygon.Append(mesh.points[p]);
