@@ -42,7 +42,8 @@ ExpectSound(const itk::CellWallMesh & mesh)
   const auto numberOfVertices = static_cast<tissue::VertexId>(mesh.GetNumberOfCells() + 1);
   const auto check = tissue::CheckCellSurfaces(mesh.GetWallMesh(), numberOfVertices);
   EXPECT_TRUE(check.cellsWithoutTriangles.empty());
-  EXPECT_TRUE(check.cellsThatAreNoSphere.empty());
+  EXPECT_TRUE(check.cellsThatAreNoSphere.empty())
+    << "Euler characteristic of the first: " << check.cells[check.cellsThatAreNoSphere.front()].eulerCharacteristic;
   EXPECT_TRUE(check.crowdedPoints.empty());
   EXPECT_EQ(check.numberOfMiscountedPoints, 0);
   EXPECT_EQ(check.numberOfUnusedPoints, 0);
