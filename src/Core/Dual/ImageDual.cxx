@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace tissue
@@ -30,12 +29,6 @@ constexpr double ShareOfLine = 0.02;
 constexpr double LeastBend = 1.15;
 /** The share of the way to the mean of its cells' centres that a corner goes where another is at its place. */
 constexpr double ShareOfCorner = 0.05;
-
-VertexQuadruple
-CellsOf(const VertexQuadruple & vertices, const std::vector<VertexId> & cellOf)
-{
-  return { { cellOf[vertices[0]], cellOf[vertices[1]], cellOf[vertices[2]], cellOf[vertices[3]] } };
-}
 
 std::vector<TetrahedronId>
 OrderByCells(const GeneralComplex & complex, const std::vector<VertexId> & cellOf)
@@ -135,6 +128,8 @@ SeparateCoincident(const DualMesh & mesh, const std::vector<VertexId> & cellOf, 
     }
   }
 }
+
+/** A line of the image where that has one; else a straight one, a little towards its own cells. */
 LinePath
 MakePath(const ImageNerve & nerve, const GeneralComplex & complex, const Side & side,
          const std::vector<Point> & corners, const std::vector<VertexId> & cellOf, const std::vector<Point> & centers)

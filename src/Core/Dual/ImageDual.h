@@ -21,6 +21,13 @@ struct ImageDual
   std::vector<bool> isInImage;
 };
 
+/** The cells of four vertices, by the cell of each vertex. */
+inline VertexQuadruple
+CellsOf(const VertexQuadruple & vertices, const std::vector<VertexId> & cellOf)
+{
+  return { { cellOf[vertices[0]], cellOf[vertices[1]], cellOf[vertices[2]], cellOf[vertices[3]] } };
+}
+
 /** \brief Dualizes a nerve after its moves.
  *
  * A corner that a move has made is at the nearest place of its vertices in the image; where there is none, at the mean

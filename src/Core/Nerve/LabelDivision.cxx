@@ -455,6 +455,7 @@ private:
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
+
 /** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
  * the same two cells near it. */
 std::vector<KuhnEdge>
@@ -492,6 +493,7 @@ StartsOf(const LabelVolume & volume, const ImageWall & wall)
   }
   return starts;
 }
+
 /** Of each cell that has several links the index of the largest one. */
 std::map<VertexId, std::int32_t>
 FindLargestLinks(const GeneralComplex & nerve, const VertexLinks & links)

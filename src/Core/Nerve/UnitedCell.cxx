@@ -74,7 +74,7 @@ HasOnlySpheres(const GeneralComplex & complex, const std::vector<VertexId> & cel
   }
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
-    if (sets.Find(c) == c && euler[c] != 2)
+    if (static_cast<std::size_t>(sets.Find(c)) == c && euler[c] != 2)
     {
       return false;
     }

@@ -4,7 +4,6 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Adjacency/ReferenceAdjacency.h"
 #include "Complex/DelaunayTetrahedralization.h"
 #include "Complex/LocalSpacing.h"
 #include "Dual/CellCorners.h"
@@ -79,7 +78,7 @@ MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters
   {
     centers.push_back(cells.centers[v]);
   }
-  const ReferenceAdjacency reference = ReferenceAdjacency(cells.junctions).Renumbered(cells.ranks);
+  const ReferenceAdjacency reference = cells.reference.Renumbered(cells.ranks);
   TissueComplex            made;
   const auto               addStage = [&](const std::string & name, const AdjacencyComplex & complex) {
     const double seconds = stopwatch.Lap().wallSeconds;

@@ -26,8 +26,7 @@ TetrahedraOfCells(const GeneralComplex & complex, const std::vector<VertexId> & 
   {
     if (complex.IsAlive(id))
     {
-      VertexQuadruple cells = complex.GetTetrahedron(id).vertices;
-      std::transform(cells.begin(), cells.end(), cells.begin(), [&cellOf](VertexId v) { return cellOf[v]; });
+      const VertexQuadruple cells = CellsOf(complex.GetTetrahedron(id).vertices, cellOf);
       if (AreDifferent(cells))
       {
         tetrahedra.push_back(Canonical(cells));

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_TissueComplex_h
 #define TissueTessellationCore_TissueComplex_h
 
+#include "Adjacency/ReferenceAdjacency.h"
 #include "Dual/ImageDual.h"
 #include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
@@ -31,6 +32,8 @@ struct TissueComplex
 struct TissueCells
 {
   const JunctionSet & junctions;
+  /** What the junctions say of neighbours, by which every stage is measured. */
+  const ReferenceAdjacency & reference;
   /** All different. */
   const std::vector<Point> & centers;
   /** The cells in spatial order, and the rank of each in it. */

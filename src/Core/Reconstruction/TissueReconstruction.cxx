@@ -6,7 +6,6 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
-#include "Adjacency/ReferenceAdjacency.h"
 #include "Fitting/WallFitting.h"
 #include "Geometry/SpatialOrder.h"
 #include "Reconstruction/TissueComplex.h"
@@ -147,11 +146,10 @@ ReconstructionStage
 MakeStage(const std::string & name, double seconds, const std::vector<VertexQuadruple> & tetrahedra,
           const AdjacencyTuples & tuples, const TissueCells & cells, const ReconstructionParameters & parameters)
 {
-  const ReferenceAdjacency reference(cells.junctions);
-  ReconstructionStage      stage;
+  ReconstructionStage stage;
   stage.name = name;
   stage.seconds = seconds;
-  stage.statistics = ComputeStatistics(tetrahedra, tuples, cells.centers, &reference, parameters.energy);
+  stage.statistics = ComputeStatistics(tetrahedra, tuples, cells.centers, &cells.reference, parameters.energy);
   if (parameters.keepStages)
   {
     stage.tuples = tuples;
@@ -172,7 +170,8 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   const std::vector<Point>    centers = SeparateCenters(junctions, result.remarks);
   const std::vector<VertexId> order = SpatialOrder(centers);
   const std::vector<VertexId> ranks = RanksInOrder(order);
-  const TissueCells           cells{ junctions, centers, order, ranks };
+  const ReferenceAdjacency    reference(junctions);
+  const TissueCells           cells{ junctions, reference, centers, order, ranks };
   const Execution             first = execution.Part(0.0, ComplexShare);
   TissueComplex               complex = parameters.source == ComplexSource::Image
                                           ? TakeComplexFromImage(cells, *volume, parameters, result, first)

@@ -179,7 +179,9 @@ TEST(ExteriorTopology, OfNoiseIsThatOfTheDefinition)
   for (int i = 0; i < 40; ++i)
   {
     LabelVolume volume;
-    volume.size = { { 1 + random.Index(6), 1 + random.Index(6), 1 + random.Index(6) } };
+    volume.size = { { 1 + static_cast<int>(random.Index(6)),
+                      1 + static_cast<int>(random.Index(6)),
+                      1 + static_cast<int>(random.Index(6)) } };
     volume.vertices.resize(static_cast<std::size_t>(volume.size[0]) * volume.size[1] * volume.size[2]);
     const int labels = 2 + random.Index(3);
     for (VertexId & v : volume.vertices)
