@@ -9,6 +9,7 @@
 #include "Nerve/MoveParts.h"
 
 #include <algorithm>
+#include <map>
 
 namespace tissue
 {
@@ -229,4 +230,48 @@ CloseEdge(const GeneralComplex & complex, const LocalEdge & edge)
   return proposal;
 }
 
+bool
+KeepsTopology(const GeneralComplex & complex, const GeneralMove & move, const std::vector<VertexId> & cellOf)
+{
+  if (cellOf.empty())
+  {
+    return true;
+  }
+  // Twice the Euler characteristic of what each cell's vertices span: every tetrahedron has half of its triangles.
+  std::map<VertexId, int> change;
+  const auto              addTetrahedron = [&](const VertexQuadruple & vertices, int sign) {
+    std::map<VertexId, int> count;
+    for (const VertexId v : vertices)
+    {
+      ++count[cellOf[v]];
+    }
+    for (const auto & [cell, n] : count)
+    {
+      change[cell] += sign * std::max(n - 2, 0);
+    }
+  };
+  const auto addEdge = [&](const VertexPair & ends, int sign) {
+    if (cellOf[ends[0]] == cellOf[ends[1]])
+    {
+      change[cellOf[ends[0]]] -= 2 * sign;
+    }
+  };
+  for (const TetrahedronId id : move.removed)
+  {
+    addTetrahedron(complex.GetTetrahedron(id).vertices, -1);
+  }
+  for (const GeneralMove::NewTetrahedron & created : move.created)
+  {
+    addTetrahedron(created.vertices, 1);
+  }
+  for (const VertexPair & edge : move.removedEdges)
+  {
+    addEdge(edge, -1);
+  }
+  for (const VertexPair & edge : move.createdEdges)
+  {
+    addEdge(edge, 1);
+  }
+  return std::all_of(change.begin(), change.end(), [](const auto & entry) { return entry.second == 0; });
+}
 } // namespace tissue

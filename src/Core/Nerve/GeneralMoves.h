@@ -103,6 +103,12 @@ CutAlongLoop(const GeneralComplex & complex, VertexId a, const std::vector<Side>
 MoveProposal
 InsertPillow(const GeneralComplex & complex, const Side & triangle, VertexId vertex);
 /** @} */
+
+/** Whether the pieces of each cell together stay what they are, in pieces and handles: of several vertices of one cell,
+ * the complex that they span keeps its Euler characteristic. Of the first four moves alone.
+ * \param cellOf the cell of each vertex; without entries each is a cell of its own, and no move changes it. */
+bool
+KeepsTopology(const GeneralComplex & complex, const GeneralMove & move, const std::vector<VertexId> & cellOf);
 } // namespace tissue
 
 #endif

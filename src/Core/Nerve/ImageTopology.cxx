@@ -72,12 +72,13 @@ TakeDivision(const LabelDivision & division, ImageTopology & topology, const Exe
   topology.nerve.complex.SetOutside(std::move(outside));
 }
 
-/** Divides what walls of the image need it, then the cells that are split all the same: around several others. */
+/** Divides what walls of the image need it, and what is around others, then the cells that are split all the same:
+ * around several others. */
 void
-DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageTopology & topology,
-                  const Execution & execution)
+DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> around,
+                  ImageTopology & topology, const Execution & execution)
 {
-  if (Divide(division, std::move(faulty), {}))
+  if (Divide(division, std::move(faulty), std::move(around)))
   {
     TakeDivision(division, topology, execution);
   }
@@ -119,11 +120,13 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
   execution.Report(0.6);
   auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
+  auto          around = FindCellsAround(*image, topology.places.walls, topology.fragments.numberOfVertices);
   LabelDivision division({}, topology.fragments.numberOfVertices);
-  if (!faulty.empty() || !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
+  if (!faulty.empty() || !around.empty() ||
+      !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
   {
     division.volume = image == &copy ? std::move(copy) : volume;
-    DivideWhereNeeded(division, std::move(faulty), topology, execution);
+    DivideWhereNeeded(division, std::move(faulty), std::move(around), topology, execution);
     copy = std::move(division.volume);
   }
   topology.divided = division.FindDividedCells();
@@ -168,8 +171,12 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
     visit(topology);
   }
   topology.repairs = Repair(topology.nerve, topology.places);
-  topology.descent = Descend(
-    topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
+  topology.descent = Descend(topology.nerve.complex,
+                             topology.places,
+                             parameters.preferences,
+                             parameters.votes,
+                             topology.cellOf,
+                             execution.Part(0.75, 1.0));
   topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
   topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
   return topology;

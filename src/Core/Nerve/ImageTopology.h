@@ -59,8 +59,7 @@ using NerveVisitor = std::function<void(const ImageTopology &)>;
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
                   const ImageTopologyParameters & parameters = ImageTopologyParameters(),
-                  const Execution &               execution = Execution(),
-                  const NerveVisitor &            visit = NerveVisitor());
+                  const Execution & execution = Execution(), const NerveVisitor & visit = NerveVisitor());
 
 /** The walls of a pair of cells that are among the cells of no corner place. */
 std::vector<ImageWall>

@@ -440,6 +440,36 @@ private:
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
+/** The share of a cell's faces from which on a wall is nearly all of its surface. */
+constexpr double ShareOfNearlyAll = 0.75;
+
+/** Of each vertex its faces in all walls. */
+std::vector<std::int64_t>
+CountFaces(const std::vector<ImageWall> & walls, VertexId numberOfVertices)
+{
+  std::vector<std::int64_t> faces(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const ImageWall & wall : walls)
+  {
+    faces[static_cast<std::size_t>(wall.cells[0])] += wall.numberOfFaces;
+    faces[static_cast<std::size_t>(wall.cells[1])] += wall.numberOfFaces;
+  }
+  return faces;
+}
+
+std::vector<SplitCell>
+ToSplitCells(std::map<VertexId, std::vector<KuhnEdge>> ofCell)
+{
+  std::vector<SplitCell> split;
+  for (auto & [cell, edges] : ofCell)
+  {
+    if (!edges.empty())
+    {
+      split.push_back({ cell, std::move(edges) });
+    }
+  }
+  return split;
+}
+
 /** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
  * the same two cells near it. */
 std::vector<KuhnEdge>
@@ -560,7 +590,12 @@ LabelDivision::FindDividedCells() const
 bool
 Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
 {
-  if (AreNearBorder(division.volume, faulty))
+  std::vector<KuhnEdge> walls = faulty;
+  for (const SplitCell & cell : split)
+  {
+    walls.insert(walls.end(), cell.walls.begin(), cell.walls.end());
+  }
+  if (AreNearBorder(division.volume, walls))
   {
     division.volume = Pad(division.volume);
     Shift(faulty);
@@ -607,6 +642,26 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
 }
 
 std::vector<SplitCell>
+FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices)
+{
+  const std::vector<std::int64_t>           facesOf = CountFaces(walls, numberOfVertices);
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  for (const ImageWall & wall : walls)
+  {
+    const int      within = facesOf[wall.cells[0]] < facesOf[wall.cells[1]] ? 0 : 1;
+    const VertexId cell = wall.cells[within];
+    if (cell != ExteriorVertex &&
+        static_cast<double>(wall.numberOfFaces) > ShareOfNearlyAll * static_cast<double>(facesOf[cell]))
+    {
+      const auto starts = StartsOf(volume, wall);
+      auto &     all = ofCell[wall.cells[1 - within]];
+      all.insert(all.end(), starts.begin(), starts.end());
+    }
+  }
+  return ToSplitCells(std::move(ofCell));
+}
+
+std::vector<SplitCell>
 FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
   const auto                                within = FindNeighborsWithin(nerve);
@@ -622,14 +677,6 @@ FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls,
       ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
-  std::vector<SplitCell> split;
-  for (auto & [cell, edges] : ofCell)
-  {
-    if (!edges.empty())
-    {
-      split.push_back({ cell, std::move(edges) });
-    }
-  }
-  return split;
+  return ToSplitCells(std::move(ofCell));
 }
 } // namespace tissue

@@ -44,8 +44,8 @@ struct LabelDivision
   FindDividedCells() const;
 };
 
-/** A cell that is to be divided although its walls are sound: its surface is in pieces, as it is around several others.
- */
+/** A cell that is to be divided although its walls are sound: it is around others, so that its surface is in pieces, or
+ * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of. */
 struct SplitCell
 {
   VertexId cell;
@@ -76,6 +76,11 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
  * number of walls in the one than in the other are looked at. */
 std::vector<KuhnEdge>
 FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve);
+
+/** The cells, or the exterior, across walls that are nearly all of another cell's surface (three quarters of its
+ * faces), with these walls. */
+std::vector<SplitCell>
+FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices);
 
 /** The cells that have several links in the nerve, with the walls of all but the largest. */
 std::vector<SplitCell>

@@ -21,9 +21,10 @@ constexpr double NoDifference = -1e-9;
 class Descent
 {
 public:
-  Descent(GeneralComplex & complex, PlaceEnergy & energy)
+  Descent(GeneralComplex & complex, PlaceEnergy & energy, const std::vector<VertexId> & cellOf)
     : m_Complex(complex)
     , m_Energy(energy)
+    , m_CellOf(cellOf)
   {}
 
   /** Visits all tetrahedra, then all that were touched, until none is left. Returns the number of moves. */
@@ -240,7 +241,8 @@ private:
   bool
   TryToApply(const MoveProposal & proposal)
   {
-    if (!proposal || m_Energy.Difference(m_Complex, proposal.move) >= NoDifference)
+    if (!proposal || m_Energy.Difference(m_Complex, proposal.move) >= NoDifference ||
+        !KeepsTopology(m_Complex, proposal.move, m_CellOf))
     {
       return false;
     }
@@ -273,10 +275,11 @@ private:
     }
   }
 
-  GeneralComplex &           m_Complex;
-  PlaceEnergy &              m_Energy;
-  std::vector<TetrahedronId> m_Marked;
-  std::vector<bool>          m_IsMarked;
+  GeneralComplex &              m_Complex;
+  PlaceEnergy &                 m_Energy;
+  const std::vector<VertexId> & m_CellOf;
+  std::vector<TetrahedronId>    m_Marked;
+  std::vector<bool>             m_IsMarked;
 };
 } // namespace
 
@@ -284,17 +287,17 @@ PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
         const Execution & execution)
 {
-  return Descend(complex, places, preferences, {}, execution);
+  return Descend(complex, places, preferences, {}, {}, execution);
 }
 
 PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
-        const std::vector<JunctionVote> & votes, const Execution & execution)
+        const std::vector<JunctionVote> & votes, const std::vector<VertexId> & cellOf, const Execution & execution)
 {
   PlaceEnergy        energy(places, preferences, complex, votes);
   PlaceDescentResult result;
   result.energyBefore = energy.Total();
-  Descent descent(complex, energy);
+  Descent descent(complex, energy, cellOf);
   // A move may make another one, far away, worth while: by the number of the same cells' walls and corners. In tissue
   // the second sweep finds few, if any; noise would go on for many sweeps for the sake of next to nothing.
   std::int64_t moves = 0;

@@ -32,7 +32,8 @@ Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePrefer
  * after it gains nothing here either. */
 PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
-        const std::vector<JunctionVote> & votes, const Execution & execution = Execution());
+        const std::vector<JunctionVote> & votes, const std::vector<VertexId> & cellOf = {},
+        const Execution & execution = Execution());
 } // namespace tissue
 
 #endif
