@@ -29,7 +29,10 @@ Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePrefer
         const Execution & execution = Execution());
 
 /** The same where votes are known on which cells meet (PlaceEnergy.h), best with PlacePreferences::ByVotes(). Annealing
- * after it gains nothing here either. */
+ * after it gains nothing here either.
+ *
+ * \param cellOf the cell of each vertex: the pieces of a cell together keep the pieces and handles that they have in
+ * the nerve (KeepsTopology()). Without entries each vertex is a cell. */
 PlaceDescentResult
 Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePreferences & preferences,
         const std::vector<JunctionVote> & votes, const std::vector<VertexId> & cellOf = {},

@@ -286,3 +286,29 @@ TEST(GeneralMoves, SeriesOfMovesIsUndoneByTheirInverses)
   }
   EXPECT_EQ(Dump(complex), before);
 }
+
+TEST(GeneralMoves, TellWhetherCellsOfSeveralVerticesKeepTheirTopology)
+{
+  // A triangle of a tetrahedron becomes an edge between the two vertices beside it.
+  const GeneralComplex five = FiveCells();
+  const MoveProposal   swap = SwapTriangle(five, { 0, 0 });
+  ASSERT_TRUE(swap);
+  const VertexQuadruple t = five.GetTetrahedron(0).vertices;
+  const VertexId        a = t[0];
+  const VertexId        b = five.VertexOpposite(five.GetMate({ 0, 0 }));
+  const auto            keeps = [&](const std::vector<VertexId> & vertices) {
+    std::vector<VertexId> cellOf{ 0, 1, 2, 3, 4 };
+    for (const VertexId v : vertices)
+    {
+      cellOf[v] = vertices.front();
+    }
+    return KeepsTopology(five, swap.move, cellOf);
+  };
+  EXPECT_TRUE(KeepsTopology(five, swap.move, {}));
+  EXPECT_TRUE(keeps({ a }));
+  EXPECT_FALSE(keeps({ a, b }));
+  EXPECT_TRUE(keeps({ a, b, t[1] }));
+  EXPECT_TRUE(keeps({ a, t[1] }));
+  EXPECT_FALSE(keeps({ t[1], t[2], t[3] }));
+  EXPECT_TRUE(keeps({ t[1], t[2], t[3], a }));
+}

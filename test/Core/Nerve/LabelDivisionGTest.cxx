@@ -128,6 +128,25 @@ TEST(LabelDivision, GivesNestedCells)
   EXPECT_EQ(ExpectExact(volume), 6u);
 }
 
+TEST(LabelDivision, IsOfTheCellAroundOneThatTouchesItsWall)
+{
+  // Two of eight bricks meet at a wall, which a nucleus within one of them touches with a few of its voxels.
+  const LabelVolume bricks = Bricks({ { 2, 2, 2 } }, 12);
+  const VoxelIndex  inFirst{ { 20, 18, 18 } };
+  const VertexId    around = bricks.At(inFirst[0], inFirst[1], inFirst[2]);
+  const VertexId    nucleus = NumberOfVertices(bricks);
+  const LabelVolume volume = MakeImage(bricks.size, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const VertexId cell = bricks.At(x, y, z);
+    return cell == around && Radius(x - inFirst[0], y - inFirst[1], z - inFirst[2]) < 4.2 ? nucleus : cell;
+  });
+  const auto        cells = FindCellsAround(volume, FindImageWalls(volume), NumberOfVertices(volume));
+  ASSERT_NE(around, ExteriorVertex);
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].cell, around);
+  ExpectExact(volume);
+  EXPECT_TRUE(FindCellsAround(bricks, FindImageWalls(bricks), NumberOfVertices(bricks)).empty());
+}
+
 TEST(LabelDivision, GivesAGroupOfManyWithinOne)
 {
   LabelVolume volume = Bricks({ { 2, 2, 2 } }, 4);
