@@ -51,26 +51,26 @@ class LabelJunctionExtractionFilterTest(unittest.TestCase):
             x, y, z = np.rint(place).astype(int)
             self.assertTrue(np.isin(four, self.image[z - 2 : z + 3, y - 2 : y + 3, x - 2 : x + 3]).all())
 
-    def test_junctions_make_a_mesh_of_all_cells(self):
-        mesh = itk.junctions_to_cell_wall_mesh_filter(self.junctions, refinement=0)
+    def test_junctions_and_label_volume_make_a_mesh_of_all_cells(self):
+        extraction = itk.LabelJunctionExtractionFilter.New(to_itk(self.image), generate_label_volume=True)
+        extraction.Update()
+        volume = extraction.GetLabelVolume()
+        self.assertEqual(volume.GetNumberOfVoxels(), self.image.size)
+        mesh = itk.junctions_to_cell_wall_mesh_filter(extraction.GetOutput(), label_volume=volume, refinement=0)
         self.assertEqual(mesh.GetNumberOfCells(), 27)
         labels = itk.array_from_vector_container(mesh.GetTriangleLabels()).reshape(-1, 2)
         np.testing.assert_array_equal(np.unique(labels), np.union1d(self.cells, [EXTERIOR]))
 
-    def test_label_volume_of_the_extraction_fits_the_walls(self):
+    def test_without_a_label_volume_only_the_paper_preset_makes_a_mesh(self):
         extraction = itk.LabelJunctionExtractionFilter.New(to_itk(self.image))
         extraction.Update()
         self.assertEqual(extraction.GetLabelVolume().GetNumberOfVoxels(), 0)
-        extraction.GenerateLabelVolumeOn()
-        points = []
-        for volume in (None, extraction.GetLabelVolume()):
-            reconstruction = itk.JunctionsToCellWallMeshFilter.New(extraction.GetOutput(), refinement=0)
-            if volume is not None:
-                reconstruction.SetLabelVolume(volume)
+        reconstruction = itk.JunctionsToCellWallMeshFilter.New(extraction.GetOutput())
+        with self.assertRaisesRegex(RuntimeError, "label volume"):
             reconstruction.Update()
-            points.append(itk.array_from_vector_container(reconstruction.GetOutput().GetPointCoordinates()))
-        self.assertEqual(extraction.GetLabelVolume().GetNumberOfVoxels(), self.image.size)
-        self.assertFalse(np.array_equal(*points))
+        reconstruction.UsePaperPreset()
+        reconstruction.Update()
+        self.assertEqual(reconstruction.GetOutput().GetNumberOfCells(), 27)
 
     def test_options_and_errors_reach_python(self):
         extraction = itk.LabelJunctionExtractionFilter.New(to_itk(self.image), exterior_label=10)

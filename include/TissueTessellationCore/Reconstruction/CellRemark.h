@@ -38,6 +38,12 @@ enum class Remark
   /** The cell's walls were joined or cut by a false wall so that its surface is one sphere. Value: the number of such
    * repairs. */
   Repaired,
+  /** Voxels of the cell went to its neighbours, as they closed a handle: by which its surface is a sphere. Value: the
+   * number of such voxels. */
+  HandlesCut,
+  /** The cell is a ring, or has several handles, in the image, and its surface in the mesh has them too. Value: the
+   * number of handles. */
+  HandlesKept,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */

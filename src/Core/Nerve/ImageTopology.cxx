@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "Nerve/ImageTopology.h"
 
-#include "Nerve/UnitedCell.h"
+#include "Nerve/HandleCutting.h"
 #include "Nerve/VertexLinks.h"
 
 #include <algorithm>
@@ -73,12 +73,13 @@ TakeDivision(const LabelDivision & division, ImageTopology & topology, const Exe
   topology.nerve.complex.SetOutside(std::move(outside));
 }
 
-/** Divides what walls of the image need it, then the cells that are split all the same: around several others. */
+/** Divides what walls of the image need it, and what is around others, then the cells that are split all the same:
+ * around several others. */
 void
-DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageTopology & topology,
-                  const Execution & execution)
+DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> around,
+                  ImageTopology & topology, const Execution & execution)
 {
-  if (Divide(division, std::move(faulty), {}))
+  if (Divide(division, std::move(faulty), std::move(around)))
   {
     TakeDivision(division, topology, execution);
   }
@@ -95,10 +96,30 @@ DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, ImageT
   }
 }
 
+/** Gives small fragments and what makes handles to other cells, in a copy of the image where it has any. */
+void
+MakeCellsBalls(const LabelVolume & volume, ImageTopology & topology, const Execution & execution)
+{
+  const VertexId numberOfVertices = topology.fragments.numberOfVertices;
+  LabelVolume &  copy = topology.volume;
+  Relabel(copy, topology.fragments.ofSmall);
+  const LabelVolume & image = copy.vertices.empty() ? volume : copy;
+  const auto          characteristics = FindEulerCharacteristics(image, numberOfVertices, execution);
+  if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
+  {
+    return;
+  }
+  if (copy.vertices.empty())
+  {
+    copy = volume;
+  }
+  topology.handles = CutHandles(copy, numberOfVertices, execution).cells;
+}
+
 /** Finds the fragments, the places and the nerve. */
 void
 ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumFragmentVoxels,
-          std::vector<VertexId> whole, ImageTopology & topology, const Execution & execution)
+          ImageTopology & topology, const Execution & execution)
 {
   topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
   LabelVolume &       copy = topology.volume;
@@ -112,20 +133,22 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
   std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(*image, execution);
   topology.places = { FindImageWalls(*image, execution), FindCornerPlaces(*image, blocks) };
   execution.Report(0.4);
-  if (!topology.fragments.ofSmall.empty())
+  MakeCellsBalls(volume, topology, execution);
+  if (!copy.vertices.empty())
   {
-    Relabel(copy, topology.fragments.ofSmall);
+    image = &copy;
     blocks = FindCrowdedBlocks(*image, execution);
   }
   topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
   execution.Report(0.6);
   auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
+  auto          around = FindCellsAround(*image, topology.places.walls, topology.fragments.numberOfVertices);
   LabelDivision division({}, topology.fragments.numberOfVertices);
-  division.whole = std::move(whole);
-  if (!faulty.empty() || !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
+  if (!faulty.empty() || !around.empty() ||
+      !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
   {
     division.volume = image == &copy ? std::move(copy) : volume;
-    DivideWhereNeeded(division, std::move(faulty), topology, execution);
+    DivideWhereNeeded(division, std::move(faulty), std::move(around), topology, execution);
     copy = std::move(division.volume);
   }
   topology.divided = division.FindDividedCells();
@@ -135,54 +158,14 @@ ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t mi
     topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
   execution.Report(0.7);
 }
-/** The divided cells whose pieces together have a surface that is no sphere, or several that are not all spheres. */
-std::vector<VertexId>
-FindTornCells(const ImageTopology & topology)
-{
-  std::vector<VertexId> torn;
-  for (const DividedCell & divided : topology.divided)
-  {
-    const VertexId cell = topology.cellOf[divided.cell];
-    if (cell != ExteriorVertex && !HasOnlySpheres(topology.nerve.complex, topology.cellOf, cell))
-    {
-      torn.push_back(divided.cell);
-    }
-  }
-  return torn;
-}
-
 } // namespace
 
-std::vector<ImageWall>
-FindWallsWithoutCorners(const TissuePlaces & places)
-{
-  std::vector<VertexPair> withCorners;
-  for (const CornerPlace & corner : places.corners)
-  {
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      for (std::size_t j = i + 1; j < 4; ++j)
-      {
-        withCorners.push_back({ { corner.cells[i], corner.cells[j] } });
-      }
-    }
-  }
-  std::sort(withCorners.begin(), withCorners.end());
-  std::vector<ImageWall> walls;
-  std::copy_if(places.walls.begin(), places.walls.end(), std::back_inserter(walls), [&](const ImageWall & wall) {
-    return !std::binary_search(withCorners.begin(), withCorners.end(), wall.cells);
-  });
-  return walls;
-}
-
-namespace
-{
 ImageTopology
-MakeTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
-             std::vector<VertexId> whole, const Execution & execution, const NerveVisitor & visit)
+FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
+                  const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
-  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, std::move(whole), topology, execution);
+  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
   if (visit)
   {
     visit(topology);
@@ -190,30 +173,7 @@ MakeTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageT
   topology.repairs = Repair(topology.nerve, topology.places);
   topology.descent = Descend(
     topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
-  topology.wallsWithoutCorners = FindWallsWithoutCorners(topology.places);
   topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
-  return topology;
-}
-} // namespace
-
-ImageTopology
-FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const ImageTopologyParameters & parameters,
-                  const Execution & execution, const NerveVisitor & visit)
-{
-  ImageTopology topology = MakeTopology(volume, numberOfVertices, parameters, {}, execution.Part(0.0, 0.6), visit);
-  // The pieces of a cell can get more than one wall in common by a move, or by how they lie: then it has a handle. Such
-  // a cell is better not divided, unless that takes a repair: then the handle is the image's.
-  std::vector<VertexId> torn = FindTornCells(topology);
-  if (!torn.empty())
-  {
-    ImageTopology other =
-      MakeTopology(volume, numberOfVertices, parameters, std::move(torn), execution.Part(0.6, 1.0), visit);
-    if (other.repairs.size() <= topology.repairs.size())
-    {
-      other.attempt = 1;
-      return other;
-    }
-  }
   return topology;
 }
 } // namespace tissue

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_ImageTopology_h
 #define TissueTessellationCore_ImageTopology_h
 
+#include "Nerve/HandleCutting.h"
 #include "Nerve/ImageNerve.h"
 #include "Nerve/KuhnFragments.h"
 #include "Nerve/LabelDivision.h"
@@ -36,36 +37,29 @@ struct ImageTopology
    * vertices of their own. */
   TissuePlaces places;
   Fragments    fragments;
+  /** The cells that had handles before some voxels of theirs went to their neighbours. */
+  std::vector<HandleCut> handles;
   /** The image by the vertices of the complex; without voxels where it is the image itself. */
   LabelVolume volume;
   /** Of each vertex of the complex the one of the image that it is a piece of: a cell, or the exterior. */
   std::vector<VertexId> cellOf;
   /** What was divided so that walls without corners are in the complex, and walls that are no disks. */
-  std::vector<DividedCell> divided;
-  /** 1 where it was made anew as some cells were better not divided. */
-  int                            attempt = 0;
+  std::vector<DividedCell>       divided;
   std::vector<NerveRepairRecord> repairs;
   PlaceDescentResult             descent;
-  /** Walls of two cells that meet no other two anywhere: spheres, or disks and rings with lines that are closed. They
-   * have no corner, and are in the complex by a repair at most. */
-  std::vector<ImageWall> wallsWithoutCorners;
   /** Cells whose links are not one sphere in the end: with handles, or without any place in the complex. */
   std::vector<VertexId> unsoundCells;
 };
 
-/** Called with the nerve before the repair, in each attempt. */
+/** Called with the nerve before the repair. */
 using NerveVisitor = std::function<void(const ImageTopology &)>;
 
-/** Nerve, division, repair and descent of an image whose voxels are of the vertices 0 ... numberOfVertices - 1. The
- * volume is as it was in the end; it is copied where cells have fragments. */
+/** Fragments, handles, nerve, division, repair and descent of an image whose voxels are of the vertices 0 ...
+ * numberOfVertices - 1. The volume is as it was in the end; it is copied where cells have fragments or handles. */
 ImageTopology
 FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices,
                   const ImageTopologyParameters & parameters = ImageTopologyParameters(),
                   const Execution & execution = Execution(), const NerveVisitor & visit = NerveVisitor());
-
-/** The walls of a pair of cells that are among the cells of no corner place. */
-std::vector<ImageWall>
-FindWallsWithoutCorners(const TissuePlaces & places);
 } // namespace tissue
 
 #endif

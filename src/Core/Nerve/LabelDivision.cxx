@@ -115,7 +115,6 @@ public:
   explicit Division(LabelDivision & division)
     : m_Volume(division.volume)
     , m_RealOf(division.realOf)
-    , m_Whole(division.whole)
   {}
 
   void
@@ -124,10 +123,7 @@ public:
     std::map<VertexId, Surfaces> ofVertex;
     for (const SplitCell & cell : split)
     {
-      if (!this->IsToStayWhole(cell.cell))
-      {
-        this->AppendSurface(cell, ofVertex[cell.cell]);
-      }
+      this->AppendSurface(cell, ofVertex[cell.cell]);
     }
     m_Starts = std::move(starts);
     this->AppendFaulty(ofVertex);
@@ -164,12 +160,6 @@ private:
   IsOutside(VertexId v) const
   {
     return m_RealOf[static_cast<std::size_t>(v)] == ExteriorVertex;
-  }
-
-  bool
-  IsToStayWhole(VertexId v) const
-  {
-    return std::binary_search(m_Whole.begin(), m_Whole.end(), m_RealOf[static_cast<std::size_t>(v)]);
   }
 
   /** All walls of the cell that are within it, as one surface. */
@@ -215,12 +205,8 @@ private:
       if (!this->IsForThird(*wall))
       {
         const int  larger = this->FindLarger(start.first, start.second);
-        const int  divided = this->IsToStayWhole(wall->cells[larger]) ? 1 - larger : larger;
         const bool isClosed = wall->numberOfCircles == 0 && wall->closedLines.empty();
-        if (!this->IsToStayWhole(wall->cells[divided]))
-        {
-          ofVertex[wall->cells[divided]].push_back({ EachOnce(std::move(wall->voxels[divided])), isClosed });
-        }
+        ofVertex[wall->cells[larger]].push_back({ EachOnce(std::move(wall->voxels[larger])), isClosed });
       }
     }
   }
@@ -448,13 +434,42 @@ private:
     }
   }
 
-  LabelVolume &                 m_Volume;
-  std::vector<VertexId> &       m_RealOf;
-  const std::vector<VertexId> & m_Whole;
-  std::vector<KuhnEdge>         m_Starts;
+  LabelVolume &           m_Volume;
+  std::vector<VertexId> & m_RealOf;
+  std::vector<KuhnEdge>   m_Starts;
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
+
+/** The share of a cell's faces from which on a wall is nearly all of its surface. */
+constexpr double ShareOfNearlyAll = 0.75;
+
+/** Of each vertex its faces in all walls. */
+std::vector<std::int64_t>
+CountFaces(const std::vector<ImageWall> & walls, VertexId numberOfVertices)
+{
+  std::vector<std::int64_t> faces(static_cast<std::size_t>(numberOfVertices), 0);
+  for (const ImageWall & wall : walls)
+  {
+    faces[static_cast<std::size_t>(wall.cells[0])] += wall.numberOfFaces;
+    faces[static_cast<std::size_t>(wall.cells[1])] += wall.numberOfFaces;
+  }
+  return faces;
+}
+
+std::vector<SplitCell>
+ToSplitCells(std::map<VertexId, std::vector<KuhnEdge>> ofCell)
+{
+  std::vector<SplitCell> split;
+  for (auto & [cell, edges] : ofCell)
+  {
+    if (!edges.empty())
+    {
+      split.push_back({ cell, std::move(edges) });
+    }
+  }
+  return split;
+}
 
 /** Edges across a wall: its first face, or where that was a small fragment's, which has another cell by now, faces of
  * the same two cells near it. */
@@ -577,7 +592,12 @@ LabelDivision::FindDividedCells() const
 bool
 Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
 {
-  if (AreNearBorder(division.volume, faulty))
+  std::vector<KuhnEdge> walls = faulty;
+  for (const SplitCell & cell : split)
+  {
+    walls.insert(walls.end(), cell.walls.begin(), cell.walls.end());
+  }
+  if (AreNearBorder(division.volume, walls))
   {
     division.volume = Pad(division.volume);
     Shift(faulty);
@@ -624,6 +644,26 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
 }
 
 std::vector<SplitCell>
+FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices)
+{
+  const std::vector<std::int64_t>           facesOf = CountFaces(walls, numberOfVertices);
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  for (const ImageWall & wall : walls)
+  {
+    const int      within = facesOf[wall.cells[0]] < facesOf[wall.cells[1]] ? 0 : 1;
+    const VertexId cell = wall.cells[within];
+    if (cell != ExteriorVertex && wall.cells[1 - within] != ExteriorVertex &&
+        static_cast<double>(wall.numberOfFaces) > ShareOfNearlyAll * static_cast<double>(facesOf[cell]))
+    {
+      const auto starts = StartsOf(volume, wall);
+      auto &     all = ofCell[wall.cells[1 - within]];
+      all.insert(all.end(), starts.begin(), starts.end());
+    }
+  }
+  return ToSplitCells(std::move(ofCell));
+}
+
+std::vector<SplitCell>
 FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve)
 {
   const auto                                within = FindNeighborsWithin(nerve);
@@ -639,14 +679,6 @@ FindSplitCells(const LabelVolume & volume, const std::vector<ImageWall> & walls,
       ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
-  std::vector<SplitCell> split;
-  for (auto & [cell, edges] : ofCell)
-  {
-    if (!edges.empty())
-    {
-      split.push_back({ cell, std::move(edges) });
-    }
-  }
-  return split;
+  return ToSplitCells(std::move(ofCell));
 }
 } // namespace tissue

@@ -32,8 +32,6 @@ struct LabelDivision
   LabelVolume volume;
   /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
   std::vector<VertexId> realOf;
-  /** Cells that are to stay whole, ascending: the other cell of a wall is divided, or none. */
-  std::vector<VertexId> whole;
 
   VertexId
   NumberOfVertices() const
@@ -46,8 +44,8 @@ struct LabelDivision
   FindDividedCells() const;
 };
 
-/** A cell that is to be divided although its walls are sound: its surface is in pieces, as it is around several others.
- */
+/** A cell that is to be divided although its walls are sound: it is around others, so that its surface is in pieces, or
+ * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of. */
 struct SplitCell
 {
   VertexId cell;
@@ -78,6 +76,11 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
  * number of walls in the one than in the other are looked at. */
 std::vector<KuhnEdge>
 FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const GeneralComplex & nerve);
+
+/** The cells, or the exterior, across walls that are nearly all of another cell's surface (three quarters of its
+ * faces), with these walls. */
+std::vector<SplitCell>
+FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices);
 
 /** The cells that have several links in the nerve, with the walls of all but the largest. */
 std::vector<SplitCell>

@@ -85,6 +85,17 @@ AddRemarks(const ImageTopology & topology, std::vector<CellRemark> & remarks)
       remarks.push_back({ cell, Remark::RingWalls, static_cast<double>(divided.numberOfPieces) });
     }
   }
+  for (const HandleCut & cut : topology.handles)
+  {
+    if (cut.numberOfVoxels > 0)
+    {
+      remarks.push_back({ topology.cellOf[cut.cell], Remark::HandlesCut, static_cast<double>(cut.numberOfVoxels) });
+    }
+    if (cut.handlesLeft > 0)
+    {
+      remarks.push_back({ topology.cellOf[cut.cell], Remark::HandlesKept, static_cast<double>(cut.handlesLeft) });
+    }
+  }
   std::map<VertexId, int> repairsOf;
   for (const NerveRepairRecord & repair : topology.repairs)
   {
@@ -122,14 +133,13 @@ TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume, cons
     stopwatch.Lap();
     return stage;
   };
-  std::vector<ReconstructionStage> nerves; // of each attempt
-  ImageTopology                    topology =
+  ImageTopology topology =
     FindImageTopology(volume,
                       static_cast<VertexId>(cells.junctions.cells.size()),
                       topologyParameters,
                       execution,
-                      [&](const ImageTopology & nerve) { nerves.push_back(makeStage("nerve", nerve)); });
-  result.stages = { nerves[static_cast<std::size_t>(topology.attempt)], makeStage("optimized", topology) };
+                      [&](const ImageTopology & nerve) { result.stages = { makeStage("nerve", nerve) }; });
+  result.stages.push_back(makeStage("optimized", topology));
   result.energy = topology.descent.energyAfter;
   AddRemarks(topology, result.remarks);
   complex.dual = DualizeNerve(topology.nerve, topology.places.corners, topology.cellOf, cells.centers);

