@@ -48,7 +48,7 @@ constexpr double StarShare = 0.1;
 constexpr int FirstStarRounds = 3;
 constexpr int LastStarRounds = 8;
 /** The rounds of projection, improvement and volumes after the first, the second and the third remeshing. */
-constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
+constexpr int RoundsPerMeshing[] = { 3, 1, 3 };
 /** The most steps towards the volumes at the end. Cells that the guard holds back get there by small steps. */
 constexpr int LastVolumeSteps = 10;
 /** The relative difference of a cell's volume from the wanted one below which nothing is left to do. */
