@@ -7,9 +7,8 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
-#include "Nerve/KuhnSimplex.h"
+#include "Nerve/BlockRow.h"
 #include "TissueTessellationCore/Common/Execution.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <vector>
 
@@ -19,9 +18,8 @@ namespace tissue
 struct CrowdedBlock
 {
   /** The block's first voxel, -1 in front of the image. */
-  VoxelIndex base;
-  /** The vertices of its voxels, the first axis fastest. */
-  std::array<VertexId, 8> cells;
+  VoxelIndex  base;
+  BlockVoxels cells;
 };
 
 /** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
@@ -37,7 +35,7 @@ struct BlockCells
 };
 
 BlockCells
-DifferentCells(const std::array<VertexId, 8> & voxels);
+DifferentCells(const BlockVoxels & voxels);
 } // namespace tissue
 
 #endif

@@ -104,7 +104,7 @@ MakeCellsBalls(const LabelVolume & volume, ImageTopology & topology, const Execu
   LabelVolume &  copy = topology.volume;
   Relabel(copy, topology.fragments.ofSmall);
   const LabelVolume & image = copy.vertices.empty() ? volume : copy;
-  const auto          characteristics = FindEulerCharacteristics(image, numberOfVertices, execution);
+  auto                characteristics = FindEulerCharacteristics(image, numberOfVertices, execution);
   if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
   {
     return;
@@ -113,7 +113,7 @@ MakeCellsBalls(const LabelVolume & volume, ImageTopology & topology, const Execu
   {
     copy = volume;
   }
-  topology.handles = CutHandles(copy, numberOfVertices, execution).cells;
+  topology.handles = CutHandles(copy, std::move(characteristics)).cells;
 }
 
 /** Finds the fragments, the places and the nerve. */

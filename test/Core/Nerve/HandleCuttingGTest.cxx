@@ -26,6 +26,12 @@ WithoutFragments(LabelVolume volume, VertexId & numberOfVertices)
   return volume;
 }
 
+HandleCuts
+CutHandlesOf(LabelVolume & volume, VertexId numberOfVertices)
+{
+  return CutHandles(volume, FindEulerCharacteristics(volume, numberOfVertices));
+}
+
 /** A torus around the third axis, in exterior. */
 LabelVolume
 Torus(double radius, double thickness)
@@ -61,7 +67,7 @@ TEST(HandleCutting, OfAHandleOfOneVoxelTakesOne)
   });
   const LabelVolume image = volume;
   ASSERT_EQ(FindEulerCharacteristics(image, 2)[1], 0);
-  const HandleCuts cuts = CutHandles(volume, 2);
+  const HandleCuts cuts = CutHandlesOf(volume, 2);
   ASSERT_EQ(cuts.cells.size(), 1u);
   EXPECT_EQ(cuts.cells[0].handlesBefore, 1);
   EXPECT_EQ(cuts.cells[0].handlesLeft, 0);
@@ -75,7 +81,7 @@ TEST(HandleCutting, OfAHandleOfOneVoxelTakesOne)
 TEST(HandleCutting, OfATorusIsASheetAcross)
 {
   LabelVolume      thin = Torus(14, 2.0);
-  const HandleCuts cuts = CutHandles(thin, 2);
+  const HandleCuts cuts = CutHandlesOf(thin, 2);
   ASSERT_EQ(cuts.cells.size(), 1u);
   EXPECT_EQ(cuts.cells[0].handlesLeft, 0);
   EXPECT_GT(cuts.cells[0].numberOfVoxels, 8);
@@ -92,7 +98,7 @@ TEST(HandleCutting, LeavesAScaffold)
     return bars > 1 ? 1 : ExteriorVertex;
   });
   const LabelVolume image = scaffold;
-  const HandleCuts  none = CutHandles(scaffold, 2);
+  const HandleCuts  none = CutHandlesOf(scaffold, 2);
   ASSERT_EQ(none.cells.size(), 1u);
   EXPECT_GT(none.cells[0].handlesBefore, 100);
   EXPECT_EQ(none.cells[0].handlesLeft, none.cells[0].handlesBefore);
@@ -108,7 +114,7 @@ TEST(HandleCutting, LeavesCavities)
   });
   const LabelVolume image = shell;
   EXPECT_EQ(FindEulerCharacteristics(shell, 3), (std::vector<std::int32_t>{ 0, 2, 1 }));
-  EXPECT_TRUE(CutHandles(shell, 3).cells.empty());
+  EXPECT_TRUE(CutHandlesOf(shell, 3).cells.empty());
   EXPECT_EQ(shell.vertices, image.vertices);
 }
 
@@ -121,7 +127,7 @@ TEST(HandleCutting, OfNoiseIsNoWorseThanBefore)
     const LabelVolume noise = Noise({ { 9, 8, 7 } }, static_cast<VertexId>(3 + seed % 6), seed);
     auto              vertices = NumberOfVertices(noise);
     LabelVolume       volume = WithoutFragments(noise, vertices);
-    for (const HandleCut & cut : CutHandles(volume, vertices).cells)
+    for (const HandleCut & cut : CutHandlesOf(volume, vertices).cells)
     {
       EXPECT_GT(cut.handlesBefore, 0);
       before += cut.handlesBefore;
