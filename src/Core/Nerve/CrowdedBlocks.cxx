@@ -10,9 +10,6 @@
 
 namespace tissue
 {
-namespace
-{
-/** Whether a block holds four different cells or more; most hold two. */
 bool
 IsCrowded(const BlockVoxels & voxels)
 {
@@ -32,7 +29,6 @@ IsCrowded(const BlockVoxels & voxels)
   }
   return false;
 }
-} // namespace
 
 BlockCells
 DifferentCells(const BlockVoxels & voxels)

@@ -22,6 +22,10 @@ struct CrowdedBlock
   BlockVoxels cells;
 };
 
+/** Whether a block holds four different cells or more. */
+bool
+IsCrowded(const BlockVoxels & voxels);
+
 /** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
  * Planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
 std::vector<CrowdedBlock>

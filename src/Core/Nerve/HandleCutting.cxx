@@ -287,26 +287,27 @@ private:
     std::vector<bool>  isAround(m_IsInCell.size(), false);
     std::vector<Place> open;
     // The cell is two places from the box's border: there all are around it, the last ones without a look beyond.
-    for (Place p = 0; p < static_cast<Place>(m_IsInCell.size()); ++p)
+    Place p = 0;
+    for (std::int32_t z = 0; z < m_Size[2]; ++z)
     {
-      const VoxelIndex inBox{ { static_cast<std::int32_t>(p % m_Size[0]),
-                                static_cast<std::int32_t>(p / m_Size[0] % m_Size[1]),
-                                static_cast<std::int32_t>(p / m_Size[0] / m_Size[1]) } };
-      std::int32_t     toBorder = m_Size[0];
-      for (int axis = 0; axis < 3; ++axis)
+      for (std::int32_t y = 0; y < m_Size[1]; ++y)
       {
-        toBorder = std::min({ toBorder, inBox[axis], m_Size[axis] - 1 - inBox[axis] });
-      }
-      isAround[p] = toBorder < 2;
-      if (toBorder == 1)
-      {
-        open.push_back(p);
+        const std::int32_t toBorder = std::min({ y, m_Size[1] - 1 - y, z, m_Size[2] - 1 - z });
+        for (std::int32_t x = 0; x < m_Size[0]; ++x, ++p)
+        {
+          const std::int32_t least = std::min({ toBorder, x, m_Size[0] - 1 - x });
+          isAround[p] = least < 2;
+          if (least == 1)
+          {
+            open.push_back(p);
+          }
+        }
       }
     }
     this->FloodAround(open, isAround);
     m_IsFilled.assign(isAround.size(), false);
     std::transform(isAround.begin(), isAround.end(), m_IsFilled.begin(), [](bool around) { return !around; });
-    for (Place p = 0; p < static_cast<Place>(m_IsFilled.size()); ++p)
+    for (p = 0; p < static_cast<Place>(m_IsFilled.size()); ++p)
     {
       if (m_IsFilled[p] && !m_IsInCell[p] && !isAround[p])
       {
@@ -358,12 +359,14 @@ private:
     using Candidate = std::pair<std::int32_t, Place>; // depth, and of the same depth the first
     std::priority_queue<Candidate> candidates;
     std::vector<bool>              ball(m_IsFilled.size(), false);
+    std::vector<bool>              isCandidate(m_IsFilled.size(), false);
     const auto                     add = [&](Place p) {
       ball[p] = true;
       for (const Place step : m_Steps)
       {
-        if (m_IsFilled[p + step] && !ball[p + step])
+        if (m_IsFilled[p + step] && !ball[p + step] && !isCandidate[p + step])
         {
+          isCandidate[p + step] = true;
           candidates.emplace(depths[p + step], -(p + step));
         }
       }
@@ -373,7 +376,8 @@ private:
     {
       const Place p = -candidates.top().second;
       candidates.pop();
-      if (!ball[p] && SimpleSets()[this->SetOf(p, ball)])
+      isCandidate[p] = false; // a voxel that is refused comes again with the next one beside it
+      if (SimpleSets()[this->SetOf(p, ball)])
       {
         add(p);
       }
@@ -459,7 +463,7 @@ public:
   void
   Cut(VertexId cell)
   {
-    if (m_Boxes[static_cast<std::size_t>(cell)].IsEmpty())
+    if (m_Boxes[static_cast<std::size_t>(cell)].IsEmpty() || m_Scaffolds.count(cell) != 0)
     {
       return;
     }
@@ -473,7 +477,11 @@ public:
     const std::vector<VoxelIndex> cut = shape.FindCut();
     const auto                    size = static_cast<std::int64_t>(cut.size());
     record.handlesLeft = handles;
-    if (size <= std::max(MinimumOfCut, shape.NumberOfVoxels() / ShareOfCut) && this->Give(cell, cut))
+    if (size > std::max(MinimumOfCut, shape.NumberOfVoxels() / ShareOfCut))
+    {
+      m_Scaffolds.insert(cell);
+    }
+    else if (this->Give(cell, cut))
     {
       record.handlesLeft = 0;
       record.numberOfVoxels += size;
@@ -488,9 +496,13 @@ public:
     {
       result.cells.push_back(entry.second);
     }
-    for (const std::size_t offset : m_Given)
+    for (const auto & entry : m_Given)
     {
-      result.ranges.push_back({ offset, offset + 1, m_Volume.vertices[offset] });
+      const VoxelChange & change = entry.second;
+      if (m_Volume.vertices[entry.first] != change.before)
+      {
+        result.changes.push_back(change);
+      }
     }
     return result;
   }
@@ -544,7 +556,8 @@ private:
     }
     for (const GivenVoxel & voxel : given)
     {
-      m_Given.insert(OffsetOf(m_Volume, voxel.place));
+      // A voxel that is given again keeps its first vertex here.
+      m_Given.emplace(OffsetOf(m_Volume, voxel.place), VoxelChange{ voxel.place, cell });
     }
     return true;
   }
@@ -572,6 +585,7 @@ private:
     for (GivenVoxel & voxel : voxels)
     {
       m_Boxes[static_cast<std::size_t>(voxel.vertex)].Add(voxel.place);
+      m_Scaffolds.erase(voxel.vertex);
       std::swap(m_Volume.vertices[OffsetOf(m_Volume, voxel.place)], voxel.vertex);
     }
     this->AddTerms(bases, 1);
@@ -594,10 +608,12 @@ private:
 
   LabelVolume & m_Volume;
   /** What was taken from a cell may be within its box still. */
-  std::vector<VoxelBox>         m_Boxes;
-  std::vector<std::int32_t>     m_Characteristics;
-  std::map<VertexId, HandleCut> m_Records;
-  std::set<std::size_t>         m_Given;
+  std::vector<VoxelBox>              m_Boxes;
+  std::vector<std::int32_t>          m_Characteristics;
+  std::map<VertexId, HandleCut>      m_Records;
+  std::map<std::size_t, VoxelChange> m_Given;
+  /** Cells that need a cut that is too large, as they are. */
+  std::set<VertexId> m_Scaffolds;
 };
 
 /** What the blocks of a plane add to the Euler characteristics, by vertex. */

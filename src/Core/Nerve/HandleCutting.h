@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_HandleCutting_h
 #define TissueTessellationCore_HandleCutting_h
 
-#include "Nerve/KuhnFragments.h"
+#include "Nerve/PlaceUpdate.h"
 #include "TissueTessellationCore/Common/Execution.h"
 
 namespace tissue
@@ -26,8 +26,9 @@ struct HandleCut
 /** What cuts the handles of cells. */
 struct HandleCuts
 {
-  std::vector<HandleCut>  cells;
-  std::vector<VoxelRange> ranges;
+  std::vector<HandleCut> cells;
+  /** Of the volume, each voxel once, in raster order. */
+  std::vector<VoxelChange> changes;
 };
 
 /** \brief Finds the cells that have handles in the Kuhn subdivision of the grid, in which they would have no spheres

@@ -55,109 +55,165 @@ CellsWithFragments(const Fragments & fragments)
   return cellOf;
 }
 
-/** Puts the nerve of the divided image in the place of the image's, and the places of both. */
-void
-TakeDivision(const LabelDivision & division, ImageTopology & topology, const Execution & execution)
+/** \brief Reads an image: finds its fragments and handles, places and nerve, and divides what needs it. */
+class ImageReading
 {
-  const std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(division.volume, execution);
-  topology.places = { FindImageWalls(division.volume, execution), FindCornerPlaces(division.volume, blocks) };
-  topology.nerve = MakeImageNerve(division.volume, division.NumberOfVertices(), blocks, execution);
-  std::vector<VertexId> outside;
-  for (VertexId v = ExteriorVertex + 1; v < division.NumberOfVertices(); ++v)
-  {
-    if (division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
-    {
-      outside.push_back(v);
-    }
-  }
-  topology.nerve.complex.SetOutside(std::move(outside));
-}
+public:
+  ImageReading(const LabelVolume & volume, ImageTopology & topology, const Execution & execution)
+    : m_Volume(volume)
+    , m_Topology(topology)
+    , m_Execution(execution)
+  {}
 
-/** Divides what walls of the image need it, and what is around others, then the cells that are split all the same:
- * around several others. */
-void
-DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> around,
-                  ImageTopology & topology, const Execution & execution)
-{
-  if (Divide(division, std::move(faulty), std::move(around)))
+  void
+  Run(VertexId numberOfVertices, std::int64_t minimumFragmentVoxels)
   {
-    TakeDivision(division, topology, execution);
+    m_Topology.fragments = FindFragments(m_Volume, numberOfVertices, minimumFragmentVoxels);
+    if (!m_Topology.fragments.fragments.empty())
+    {
+      m_Topology.volume = m_Volume;
+      Relabel(m_Topology.volume, m_Topology.fragments.ofLarge);
+    }
+    m_Blocks = FindCrowdedBlocks(this->GetImage(), m_Execution);
+    m_Topology.places = { FindImageWalls(this->GetImage(), m_Execution), FindCornerPlaces(this->GetImage(), m_Blocks) };
+    m_Execution.Report(0.4);
+    this->TakeSmallFragments();
+    this->TakeHandles();
+    UpdateCrowdedBlocks(this->GetImage(), m_Changes, m_Blocks);
+    m_Topology.nerve = MakeImageNerve(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Blocks, m_Execution);
+    m_Execution.Report(0.6);
+    this->DivideWhereNeeded();
+    m_Execution.Report(0.7);
   }
-  // Of a cell around others that is around others each pass divides one more.
-  constexpr int maximumNumberOfPasses = 3;
-  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+
+private:
+  /** As it is by now. */
+  const LabelVolume &
+  GetImage() const
   {
-    auto split = FindSplitCells(division.volume, topology.places.walls, topology.nerve.complex);
-    if (split.empty() || !Divide(division, {}, std::move(split)))
+    return m_Topology.volume.vertices.empty() ? m_Volume : m_Topology.volume;
+  }
+
+  void
+  TakeSmallFragments()
+  {
+    const auto row = static_cast<std::size_t>(m_Volume.size[0]);
+    const auto columns = static_cast<std::size_t>(m_Volume.size[1]);
+    for (const VoxelRange & range : m_Topology.fragments.ofSmall)
+    {
+      for (std::size_t i = range.begin; i < range.end; ++i)
+      {
+        m_Changes.push_back({ { { static_cast<std::int32_t>(i % row),
+                                  static_cast<std::int32_t>(i / row % columns),
+                                  static_cast<std::int32_t>(i / row / columns) } },
+                              m_Topology.volume.vertices[i] });
+      }
+    }
+    Relabel(m_Topology.volume, m_Topology.fragments.ofSmall);
+  }
+
+  void
+  TakeHandles()
+  {
+    auto characteristics =
+      FindEulerCharacteristics(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Execution);
+    if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
     {
       return;
     }
-    TakeDivision(division, topology, execution);
+    if (m_Topology.volume.vertices.empty())
+    {
+      m_Topology.volume = m_Volume;
+    }
+    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics));
+    m_Topology.handles = std::move(cuts.cells);
+    m_Changes.insert(m_Changes.end(), cuts.changes.begin(), cuts.changes.end());
   }
-}
 
-/** Gives small fragments and what makes handles to other cells, in a copy of the image where it has any. */
-void
-MakeCellsBalls(const LabelVolume & volume, ImageTopology & topology, const Execution & execution)
-{
-  const VertexId numberOfVertices = topology.fragments.numberOfVertices;
-  LabelVolume &  copy = topology.volume;
-  Relabel(copy, topology.fragments.ofSmall);
-  const LabelVolume & image = copy.vertices.empty() ? volume : copy;
-  auto                characteristics = FindEulerCharacteristics(image, numberOfVertices, execution);
-  if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
+  /** What walls of the image need it, and what is around others, then the cells that are split all the same: around
+   * several others. */
+  void
+  DivideWhereNeeded()
   {
-    return;
+    const LabelVolume & image = this->GetImage();
+    const auto &        walls = m_Topology.places.walls;
+    auto                faulty = FindFaultyWalls(image, walls, m_Topology.nerve.complex);
+    auto                around = FindCellsAround(image, walls, m_Topology.fragments.numberOfVertices);
+    auto                split = FindSplitCells(image, walls, m_Topology.nerve.complex);
+    LabelDivision       division({}, m_Topology.fragments.numberOfVertices);
+    if (!faulty.empty() || !around.empty() || !split.empty())
+    {
+      division.volume = m_Topology.volume.vertices.empty() ? m_Volume : std::move(m_Topology.volume);
+      if (Divide(division, std::move(faulty), std::move(around)))
+      {
+        this->TakeDivision(division);
+        split = FindSplitCells(division.volume, walls, m_Topology.nerve.complex);
+      }
+      this->DivideSplitCells(division, std::move(split));
+      m_Topology.volume = std::move(division.volume);
+    }
+    m_Topology.divided = division.FindDividedCells();
+    m_Topology.cellOf = std::move(division.realOf);
   }
-  if (copy.vertices.empty())
-  {
-    copy = volume;
-  }
-  topology.handles = CutHandles(copy, std::move(characteristics)).cells;
-}
 
-/** Finds the fragments, the places and the nerve. */
-void
-ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumFragmentVoxels,
-          ImageTopology & topology, const Execution & execution)
-{
-  topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
-  LabelVolume &       copy = topology.volume;
-  const LabelVolume * image = &volume;
-  if (!topology.fragments.fragments.empty())
+  void
+  DivideSplitCells(LabelDivision & division, std::vector<SplitCell> split)
   {
-    copy = volume;
-    image = &copy;
+    // Of a cell around others that is around others each pass divides one more.
+    constexpr int maximumNumberOfPasses = 3;
+    for (int pass = 0; pass < maximumNumberOfPasses && !split.empty(); ++pass)
+    {
+      if (!Divide(division, {}, std::move(split)))
+      {
+        break;
+      }
+      this->TakeDivision(division);
+      split = FindSplitCells(division.volume, m_Topology.places.walls, m_Topology.nerve.complex);
+    }
+    if (division.NumberOfVertices() > m_Topology.fragments.numberOfVertices)
+    {
+      m_Topology.places.corners = FindCornerPlaces(division.volume, m_Blocks);
+    }
   }
-  Relabel(copy, topology.fragments.ofLarge);
-  std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(*image, execution);
-  topology.places = { FindImageWalls(*image, execution), FindCornerPlaces(*image, blocks) };
-  execution.Report(0.4);
-  MakeCellsBalls(volume, topology, execution);
-  if (!copy.vertices.empty())
+
+  /** Puts the nerve and the walls of the divided image in the place of the image's. */
+  void
+  TakeDivision(const LabelDivision & division)
   {
-    image = &copy;
-    blocks = FindCrowdedBlocks(*image, execution);
+    auto & walls = m_Topology.places.walls;
+    if (division.isPadded)
+    {
+      m_Blocks = FindCrowdedBlocks(division.volume, m_Execution);
+      walls = FindImageWalls(division.volume, m_Execution);
+    }
+    else
+    {
+      UpdateCrowdedBlocks(division.volume, division.changes, m_Blocks);
+      // A voxel that changed before it was divided is there first, with the vertex that the walls know.
+      m_Changes.insert(m_Changes.end(), division.changes.begin(), division.changes.end());
+      UpdateImageWalls(division.volume, m_Changes, walls);
+    }
+    m_Changes.clear();
+    m_Topology.nerve = MakeImageNerve(division.volume, division.NumberOfVertices(), m_Blocks, m_Execution);
+    std::vector<VertexId> outside;
+    for (VertexId v = ExteriorVertex + 1; v < division.NumberOfVertices(); ++v)
+    {
+      if (division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
+      {
+        outside.push_back(v);
+      }
+    }
+    m_Topology.nerve.complex.SetOutside(std::move(outside));
   }
-  topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
-  execution.Report(0.6);
-  auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
-  auto          around = FindCellsAround(*image, topology.places.walls, topology.fragments.numberOfVertices);
-  LabelDivision division({}, topology.fragments.numberOfVertices);
-  if (!faulty.empty() || !around.empty() ||
-      !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
-  {
-    division.volume = image == &copy ? std::move(copy) : volume;
-    DivideWhereNeeded(division, std::move(faulty), std::move(around), topology, execution);
-    copy = std::move(division.volume);
-  }
-  topology.divided = division.FindDividedCells();
-  const std::vector<VertexId> cellOf = CellsWithFragments(topology.fragments);
-  topology.cellOf = std::move(division.realOf);
-  std::transform(
-    topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
-  execution.Report(0.7);
-}
+
+  const LabelVolume & m_Volume;
+  ImageTopology &     m_Topology;
+  const Execution &   m_Execution;
+  /** Of the image as it is by now. */
+  std::vector<CrowdedBlock> m_Blocks;
+  /** Since the walls were found. */
+  std::vector<VoxelChange> m_Changes;
+};
 } // namespace
 
 ImageTopology
@@ -165,7 +221,10 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
                   const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
-  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
+  ImageReading(volume, topology, execution).Run(numberOfVertices, parameters.minimumFragmentVoxels);
+  const std::vector<VertexId> cellOf = CellsWithFragments(topology.fragments);
+  std::transform(
+    topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
   if (visit)
   {
     visit(topology);

@@ -4,11 +4,12 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Nerve/TissuePlaces.h"
+#include "Nerve/WallPart.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 namespace tissue
 {
@@ -16,16 +17,6 @@ namespace
 {
 using FaceId = std::int32_t;
 constexpr FaceId None = -1;
-
-/** Faces found to be of one wall so far: the sums are of twice the coordinates of their centres, so whole. */
-struct Part
-{
-  VertexPair                  cells;
-  std::int64_t                numberOfFaces = 0;
-  std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
-  /** Twice the centre of the first face in raster order. */
-  std::array<std::int64_t, 3> first = { { 0, 0, 0 } };
-};
 
 /** The voxels at the sides of a face, by twice its centre: one coordinate is odd. */
 std::array<VoxelIndex, 2>
@@ -103,7 +94,7 @@ public:
     return { { below[axis][p], below[2][p], below[2][p + (axis == 0 ? 1 : width)] } };
   }
 
-  const std::vector<Part> &
+  const std::vector<WallPart> &
   GetParts() const
   {
     return m_Parts;
@@ -151,10 +142,25 @@ private:
       face = static_cast<FaceId>(m_Sets.Add());
       m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, center });
     }
-    Part & part = m_Parts[face];
-    ++part.numberOfFaces;
-    std::transform(part.sum.begin(), part.sum.end(), center.begin(), part.sum.begin(), std::plus<>());
+    m_Parts[face].AddFace(center);
     return face;
+  }
+
+  static constexpr std::int32_t Stretch = 8;
+
+  /** Whether the voxels of a stretch from p on have no faces at their upper sides, as most: there is a next voxel. */
+  bool
+  HasNoFaces(const LabelPlane & next, std::size_t p) const
+  {
+    const VertexId * labels = m_Plane.labels.data() + p;
+    const VertexId * behind = labels + m_Plane.width;
+    const VertexId * above = next.labels.data() + p;
+    VertexId         differences = 0;
+    for (std::int32_t i = 0; i < Stretch; ++i)
+    {
+      differences |= (labels[i] ^ labels[i + 1]) | (labels[i] ^ behind[i]) | (labels[i] ^ above[i]);
+    }
+    return differences == 0;
   }
 
   void
@@ -167,7 +173,12 @@ private:
       for (std::int32_t x = 0; x + 1 < m_Plane.width; ++x)
       {
         const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        const VertexId    label = labels[p];
+        if (x + Stretch < m_Plane.width && this->HasNoFaces(next, p))
+        {
+          x += Stretch - 1;
+          continue;
+        }
+        const VertexId label = labels[p];
         if (labels[p + 1] != label || labels[p + width] != label || next.labels[p] != label)
         {
           this->AddFacesOfVoxel(p,
@@ -234,7 +245,7 @@ private:
   PlaneFaces               m_Last;
   std::vector<std::size_t> m_Touched;
   std::vector<std::size_t> m_TouchedBelow;
-  std::vector<Part>        m_Parts;
+  std::vector<WallPart>    m_Parts;
   DisjointSets             m_Sets;
 };
 
@@ -296,18 +307,18 @@ private:
     return static_cast<std::int64_t>(m_Offset + part);
   }
 
-  std::vector<Part> m_Parts;
-  DisjointSets      m_Sets;
-  std::size_t       m_Offset = 0;
+  std::vector<WallPart> m_Parts;
+  DisjointSets          m_Sets;
+  std::size_t           m_Offset = 0;
 };
 
 std::vector<ImageWall>
 WallJoin::GatherWalls(const LabelVolume & volume)
 {
-  std::vector<Part> joined(m_Parts.size());
+  std::vector<WallPart> joined(m_Parts.size());
   for (std::size_t i = 0; i < m_Parts.size(); ++i)
   {
-    Part & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
+    WallPart & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
     if (whole.numberOfFaces == 0)
     {
       // A set's least part comes first here, and is of the first face.
@@ -318,25 +329,39 @@ WallJoin::GatherWalls(const LabelVolume & volume)
     std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
   }
   std::vector<ImageWall> walls;
-  for (const Part & part : joined)
+  for (const WallPart & part : joined)
   {
     if (part.numberOfFaces > 0)
     {
-      const double half = 0.5 / static_cast<double>(part.numberOfFaces);
-      walls.push_back({ part.cells,
-                        part.numberOfFaces,
-                        volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
-                                              half * static_cast<double>(part.sum[1]),
-                                              half * static_cast<double>(part.sum[2]) } }),
-                        SidesOf(part.first) });
+      walls.push_back(ToImageWall(volume, part));
     }
   }
-  std::stable_sort(walls.begin(), walls.end(), [](const ImageWall & a, const ImageWall & b) {
-    return a.cells != b.cells ? a.cells < b.cells : a.numberOfFaces > b.numberOfFaces;
-  });
+  std::sort(walls.begin(), walls.end(), ComesBefore);
   return walls;
 }
 } // namespace
+
+ImageWall
+ToImageWall(const LabelVolume & volume, const WallPart & part)
+{
+  const double half = 0.5 / static_cast<double>(part.numberOfFaces);
+  return { part.cells,
+           part.numberOfFaces,
+           volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
+                                 half * static_cast<double>(part.sum[1]),
+                                 half * static_cast<double>(part.sum[2]) } }),
+           SidesOf(part.first) };
+}
+
+bool
+ComesBefore(const ImageWall & a, const ImageWall & b)
+{
+  const auto rank = [](const ImageWall & wall) {
+    const auto & [p, q] = wall.face;
+    return std::make_tuple(wall.cells, -wall.numberOfFaces, p[2], p[1], p[0], q[2], q[1], q[0]);
+  };
+  return rank(a) < rank(b);
+}
 
 std::vector<ImageWall>
 FindImageWalls(const LabelVolume & volume, const Execution & execution)

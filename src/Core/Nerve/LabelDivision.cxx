@@ -34,14 +34,15 @@ AreNearBorder(const LabelVolume & volume, const std::vector<KuhnEdge> & walls)
     bool isNearAny = false;
     for (int axis = 0; axis < 3; ++axis)
     {
-      isNearAny = isNearAny || p[axis] < Padding || p[axis] >= volume.size[axis] - Padding;
+      isNearAny = isNearAny || p[axis] < LayerSteps || p[axis] >= volume.size[axis] - LayerSteps;
     }
     return isNearAny;
   };
   KuhnWallSearch search(volume);
   return std::any_of(walls.begin(), walls.end(), [&](const KuhnEdge & start) {
     const auto wall = search.Find(start);
-    return wall && std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear);
+    return wall && (std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear) ||
+                    std::any_of(wall->voxels[1].begin(), wall->voxels[1].end(), isNear));
   });
 }
 
@@ -138,6 +139,22 @@ public:
       ofVertex.clear();
       this->AppendFaulty(ofVertex);
     }
+  }
+
+  /** Each voxel that has another vertex than at first, once. */
+  std::vector<VoxelChange>
+  TakeChanges()
+  {
+    const auto isSame = [](const VoxelChange & a, const VoxelChange & b) { return a.voxel == b.voxel; };
+    std::stable_sort(m_Changes.begin(), m_Changes.end(), [](const VoxelChange & a, const VoxelChange & b) {
+      return a.voxel < b.voxel;
+    });
+    m_Changes.erase(std::unique(m_Changes.begin(), m_Changes.end(), isSame), m_Changes.end());
+    m_Changes.erase(std::remove_if(m_Changes.begin(),
+                                   m_Changes.end(),
+                                   [this](const VoxelChange & c) { return this->At(c.voxel) == c.before; }),
+                    m_Changes.end());
+    return std::move(m_Changes);
   }
 
 private:
@@ -378,7 +395,7 @@ private:
     {
       if (seeds.SeedOf(i) != GeodesicSeeds::None)
       {
-        m_Volume.vertices[OffsetOf(m_Volume, region[i])] = first + seeds.SeedOf(i);
+        this->Put(region[i], first + seeds.SeedOf(i));
       }
     }
     m_RealOf.resize(m_RealOf.size() + static_cast<std::size_t>(seeds.NumberOfSeeds()),
@@ -402,7 +419,7 @@ private:
         m_RealOf.push_back(m_RealOf[static_cast<std::size_t>(vertex)]);
         for (const VoxelIndex & p : this->Flood(start, Region::Unbounded).voxels)
         {
-          m_Volume.vertices[OffsetOf(m_Volume, p)] = piece;
+          this->Put(p, piece);
         }
       }
     }
@@ -412,7 +429,7 @@ private:
     {
       if (this->At(p) == last)
       {
-        m_Volume.vertices[OffsetOf(m_Volume, p)] = vertex;
+        this->Put(p, vertex);
       }
     }
     m_RealOf.resize(m_RealOf.size() - (cell.empty() ? 0 : 1));
@@ -434,9 +451,19 @@ private:
     }
   }
 
+  void
+  Put(const VoxelIndex & p, VertexId vertex)
+  {
+    VertexId & current = m_Volume.vertices[OffsetOf(m_Volume, p)];
+    m_Changes.push_back({ p, current });
+    current = vertex;
+  }
+
   LabelVolume &           m_Volume;
   std::vector<VertexId> & m_RealOf;
   std::vector<KuhnEdge>   m_Starts;
+  /** All of them in their order: a voxel may change several times, or get back what it had. */
+  std::vector<VoxelChange> m_Changes;
   /** Of vertices but the exterior, as they are at the beginning of a round. */
   std::map<VertexId, Region> m_Regions;
 };
@@ -597,7 +624,8 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
   {
     walls.insert(walls.end(), cell.walls.begin(), cell.walls.end());
   }
-  if (AreNearBorder(division.volume, walls))
+  division.isPadded = AreNearBorder(division.volume, walls);
+  if (division.isPadded)
   {
     division.volume = Pad(division.volume);
     Shift(faulty);
@@ -607,7 +635,9 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
     }
   }
   const VertexId before = division.NumberOfVertices();
-  Division(division).Run(std::move(faulty), split);
+  Division       run(division);
+  run.Run(std::move(faulty), split);
+  division.changes = run.TakeChanges();
   return division.NumberOfVertices() > before;
 }
 

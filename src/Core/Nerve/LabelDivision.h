@@ -9,7 +9,7 @@
 
 #include "Nerve/ImageNerve.h"
 #include "Nerve/KuhnWall.h"
-#include "Nerve/TissuePlaces.h"
+#include "Nerve/PlaceUpdate.h"
 
 namespace tissue
 {
@@ -32,6 +32,9 @@ struct LabelDivision
   LabelVolume volume;
   /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
   std::vector<VertexId> realOf;
+  /** Of the last Divide(): whether the volume got exterior around it, and the voxels that changed beside that. */
+  bool                     isPadded = false;
+  std::vector<VoxelChange> changes;
 
   VertexId
   NumberOfVertices() const

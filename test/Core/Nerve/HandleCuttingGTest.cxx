@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "Nerve/HandleCutting.h"
+#include "Nerve/KuhnFragments.h"
 #include "Nerve/TestImages.h"
 
 #include <gtest/gtest.h>
@@ -73,9 +74,11 @@ TEST(HandleCutting, OfAHandleOfOneVoxelTakesOne)
   EXPECT_EQ(cuts.cells[0].handlesLeft, 0);
   EXPECT_EQ(cuts.cells[0].numberOfVoxels, 1);
   EXPECT_EQ(FindEulerCharacteristics(volume, 2)[1], 1);
-  LabelVolume again = image;
-  Relabel(again, cuts.ranges);
-  EXPECT_EQ(again.vertices, volume.vertices) << "the ranges are what the volume got";
+  ASSERT_EQ(cuts.changes.size(), 1u);
+  const VoxelIndex & p = cuts.changes[0].voxel;
+  EXPECT_EQ(cuts.changes[0].before, 1);
+  EXPECT_EQ(image.At(p[0], p[1], p[2]), 1);
+  EXPECT_EQ(volume.At(p[0], p[1], p[2]), ExteriorVertex);
 }
 
 TEST(HandleCutting, OfATorusIsASheetAcross)
@@ -102,7 +105,7 @@ TEST(HandleCutting, LeavesAScaffold)
   ASSERT_EQ(none.cells.size(), 1u);
   EXPECT_GT(none.cells[0].handlesBefore, 100);
   EXPECT_EQ(none.cells[0].handlesLeft, none.cells[0].handlesBefore);
-  EXPECT_TRUE(none.ranges.empty());
+  EXPECT_TRUE(none.changes.empty());
   EXPECT_EQ(scaffold.vertices, image.vertices);
 }
 
