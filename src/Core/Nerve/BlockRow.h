@@ -10,6 +10,8 @@
 #include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
+#include <algorithm>
+
 namespace tissue
 {
 /** The vertices of a 2x2x2 block of voxels, the first axis fastest. */
@@ -46,28 +48,28 @@ public:
   VisitMixed(const TVisitor & visit) const
   {
     Column left = Outside();
-    for (std::int32_t x = -1; x < m_Size;)
+    for (std::int32_t begin = 0; begin < m_Size; begin += Stretch)
     {
-      if (IsUniform(left) && x + 1 + Stretch <= m_Size && this->AreUniform(x + 1))
+      const std::int32_t end = std::min(begin + Stretch, m_Size);
+      if (IsUniform(left) && this->AreUniform(begin, end))
       {
-        x += Stretch;
-        left = this->ColumnAt(x);
+        left = this->ColumnAt(end - 1);
         continue;
       }
-      const Column right = x + 1 == m_Size ? Outside() : this->ColumnAt(x + 1);
-      if (!IsUniform(left) || !IsUniform(right))
+      for (std::int32_t x = begin; x < end; ++x)
       {
-        visit(x, BlockVoxels{ { left[0], right[0], left[1], right[1], left[2], right[2], left[3], right[3] } });
+        const Column right = this->ColumnAt(x);
+        VisitIfMixed(left, right, x - 1, visit);
+        left = right;
       }
-      left = right;
-      ++x;
     }
+    VisitIfMixed(left, Outside(), m_Size - 1, visit);
   }
 
 private:
   using Column = std::array<VertexId, 4>;
 
-  static constexpr std::int32_t Stretch = 8;
+  static constexpr std::int32_t Stretch = 16;
 
   static Column
   Outside()
@@ -87,16 +89,26 @@ private:
     return { { m_Rows[0][x], m_Rows[1][x], m_Rows[2][x], m_Rows[3][x] } };
   }
 
-  /** Whether all columns of the stretch from x on are of one cell each. */
+  /** Whether all columns of [begin, end) are of one cell each. */
   bool
-  AreUniform(std::int32_t x) const
+  AreUniform(std::int32_t begin, std::int32_t end) const
   {
     VertexId differences = 0;
-    for (std::int32_t i = x; i < x + Stretch; ++i)
+    for (std::int32_t x = begin; x < end; ++x)
     {
-      differences |= (m_Rows[0][i] ^ m_Rows[1][i]) | (m_Rows[0][i] ^ m_Rows[2][i]) | (m_Rows[0][i] ^ m_Rows[3][i]);
+      differences |= (m_Rows[0][x] ^ m_Rows[1][x]) | (m_Rows[0][x] ^ m_Rows[2][x]) | (m_Rows[0][x] ^ m_Rows[3][x]);
     }
     return differences == 0;
+  }
+
+  template <typename TVisitor>
+  static void
+  VisitIfMixed(const Column & left, const Column & right, std::int32_t x, const TVisitor & visit)
+  {
+    if (!IsUniform(left) || !IsUniform(right))
+    {
+      visit(x, BlockVoxels{ { left[0], right[0], left[1], right[1], left[2], right[2], left[3], right[3] } });
+    }
   }
 
   std::array<const VertexId *, 4> m_Rows;

@@ -146,19 +146,17 @@ private:
     return face;
   }
 
-  static constexpr std::int32_t Stretch = 8;
-
-  /** Whether the voxels of a stretch from p on have no faces at their upper sides, as most: there is a next voxel. */
+  /** Whether voxels of a plane have no faces at their upper sides, as nearly everywhere. */
   bool
-  HasNoFaces(const LabelPlane & next, std::size_t p) const
+  HaveNoFaces(const LabelPlane & next, std::size_t begin, std::size_t end) const
   {
-    const VertexId * labels = m_Plane.labels.data() + p;
+    const VertexId * labels = m_Plane.labels.data();
     const VertexId * behind = labels + m_Plane.width;
-    const VertexId * above = next.labels.data() + p;
+    const VertexId * above = next.labels.data();
     VertexId         differences = 0;
-    for (std::int32_t i = 0; i < Stretch; ++i)
+    for (std::size_t p = begin; p < end; ++p)
     {
-      differences |= (labels[i] ^ labels[i + 1]) | (labels[i] ^ behind[i]) | (labels[i] ^ above[i]);
+      differences |= (labels[p] ^ labels[p + 1]) | (labels[p] ^ behind[p]) | (labels[p] ^ above[p]);
     }
     return differences == 0;
   }
@@ -166,24 +164,20 @@ private:
   void
   FindFaces(const LabelPlane & next, std::int32_t z)
   {
-    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
-    const auto &      labels = m_Plane.labels;
+    constexpr std::int32_t stretch = 16;
+    const auto             width = static_cast<std::size_t>(m_Plane.width);
     for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
     {
-      for (std::int32_t x = 0; x + 1 < m_Plane.width; ++x)
+      const std::size_t row = static_cast<std::size_t>(y) * width;
+      for (std::int32_t begin = 0; begin + 1 < m_Plane.width; begin += stretch)
       {
-        const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        if (x + Stretch < m_Plane.width && this->HasNoFaces(next, p))
+        const std::int32_t end = std::min(begin + stretch, m_Plane.width - 1);
+        if (!this->HaveNoFaces(next, row + static_cast<std::size_t>(begin), row + static_cast<std::size_t>(end)))
         {
-          x += Stretch - 1;
-          continue;
-        }
-        const VertexId label = labels[p];
-        if (labels[p + 1] != label || labels[p + width] != label || next.labels[p] != label)
-        {
-          this->AddFacesOfVoxel(p,
-                                { { label, labels[p + 1], labels[p + width], next.labels[p] } },
-                                { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
+          for (std::int32_t x = begin; x < end; ++x)
+          {
+            this->AddFacesOfVoxel(next, row + static_cast<std::size_t>(x), { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
+          }
         }
       }
     }
@@ -192,10 +186,17 @@ private:
   /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
    * has none at its lower sides. */
   void
-  AddFacesOfVoxel(std::size_t p, const std::array<VertexId, 4> & labels, const std::array<std::int64_t, 3> & twice)
+  AddFacesOfVoxel(const LabelPlane & next, std::size_t p, const std::array<std::int64_t, 3> & twice)
   {
-    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
-    const auto &      last = m_Last;
+    const std::size_t             width = static_cast<std::size_t>(m_Plane.width);
+    const std::array<VertexId, 4> labels{
+      { m_Plane.labels[p], m_Plane.labels[p + 1], m_Plane.labels[p + width], next.labels[p] }
+    };
+    if (labels[1] == labels[0] && labels[2] == labels[0] && labels[3] == labels[0])
+    {
+      return;
+    }
+    const auto & last = m_Last;
     m_Touched.push_back(p);
     if (labels[1] != labels[0])
     {

@@ -272,6 +272,13 @@ UpdateCrowdedBlocks(const LabelVolume & volume, const std::vector<VoxelChange> &
 void
 UpdateImageWalls(const LabelVolume & volume, const std::vector<VoxelChange> & changes, std::vector<ImageWall> & walls)
 {
+  // Floods are slow: where much has changed the image is read sooner.
+  constexpr std::size_t shareOfMuch = 100;
+  if (changes.size() > volume.vertices.size() / shareOfMuch)
+  {
+    walls = FindImageWalls(volume);
+    return;
+  }
   WallUpdate(volume, changes).Run(walls);
 }
 } // namespace tissue
