@@ -8,6 +8,7 @@
 
 #include "Nerve/BlockRow.h"
 #include "Nerve/KuhnWall.h"
+#include "Nerve/VoxelBox.h"
 
 #include <algorithm>
 #include <bitset>
@@ -121,54 +122,6 @@ std::size_t
 OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
 {
   return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
-}
-
-/** Both ends are in it; empty where the least is larger than the most. */
-struct VoxelBox
-{
-  VoxelIndex least;
-  VoxelIndex most;
-
-  bool
-  IsEmpty() const
-  {
-    return least[0] > most[0];
-  }
-
-  void
-  Add(const VoxelIndex & p)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      least[axis] = std::min(least[axis], p[axis]);
-      most[axis] = std::max(most[axis], p[axis]);
-    }
-  }
-};
-
-/** The box of the voxels of each vertex. */
-std::vector<VoxelBox>
-FindBoxes(const LabelVolume & volume, std::size_t numberOfVertices)
-{
-  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
-  std::vector<VoxelBox>  boxes(numberOfVertices, { { { most, most, most } }, { { -1, -1, -1 } } });
-  for (std::int32_t z = 0; z < volume.size[2]; ++z)
-  {
-    for (std::int32_t y = 0; y < volume.size[1]; ++y)
-    {
-      const VertexId * row = volume.vertices.data() + OffsetOf(volume, { { 0, y, z } });
-      for (std::int32_t begin = 0; begin < volume.size[0];)
-      {
-        const VertexId * const run = row + begin;
-        const auto end = std::find_if(run, row + volume.size[0], [run](VertexId v) { return v != *run; }) - row;
-        VoxelBox & box = boxes[static_cast<std::size_t>(*run)];
-        box.Add({ { begin, y, z } });
-        begin = static_cast<std::int32_t>(end);
-        box.Add({ { begin - 1, y, z } });
-      }
-    }
-  }
-  return boxes;
 }
 
 /** \brief The voxels of a cell, in a box of their own with two voxels around it, in which a voxel is a place. */
@@ -449,7 +402,7 @@ public:
   /** \param characteristics of the volume's vertices (FindEulerCharacteristics()). */
   Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics)
     : m_Volume(volume)
-    , m_Boxes(FindBoxes(volume, characteristics.size()))
+    , m_Boxes(FindVoxelBoxes(volume, characteristics.size()))
     , m_Characteristics(std::move(characteristics))
   {}
 

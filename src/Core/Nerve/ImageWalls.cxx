@@ -32,6 +32,13 @@ SidesOf(const std::array<std::int64_t, 3> & twice)
   return sides;
 }
 
+/** As by ==, which compilers make a call of that costs more than the comparison. */
+bool
+AreEqual(const VertexPair & a, const VertexPair & b)
+{
+  return a[0] == b[0] && a[1] == b[1];
+}
+
 /** A plane of voxels with a border of one voxel of exterior. */
 struct LabelPlane
 {
@@ -124,7 +131,7 @@ private:
     FaceId           face = None;
     for (const FaceId other : around)
     {
-      if (other == None || other == face || m_Parts[other].cells != cells)
+      if (other == None || other == face || !AreEqual(m_Parts[other].cells, cells))
       {
         continue;
       }

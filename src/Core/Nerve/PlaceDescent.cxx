@@ -17,6 +17,8 @@ namespace
 /** A move must lower the energy by more than this, in corners. Differences are sums of weights near 1, so that what is
  * smaller comes from rounding alone. */
 constexpr double NoDifference = -1e-9;
+/** One tetrahedron more, or less, lowers the energy by no more than this. */
+constexpr double LargestGain = 1.0;
 
 class Descent
 {
@@ -92,8 +94,17 @@ private:
   bool
   VisitEdge(const LocalEdge & edge)
   {
+    // An edge is seen by all tetrahedra around it; the last of them that is marked visits it. Mostly one of the two
+    // that come next is marked.
+    const auto & neighbors = m_Complex.GetTetrahedron(edge.tetrahedron).neighbors;
+    for (int k = 0; k < 4; ++k)
+    {
+      if (k != edge.from && k != edge.to && m_IsMarked[neighbors[k]])
+      {
+        return false;
+      }
+    }
     const EdgeRing ring = m_Complex.GetRing(edge);
-    // An edge is seen by all tetrahedra around it; the last of them that is marked visits it.
     for (const RingStep & step : ring)
     {
       if (m_IsMarked[step.tetrahedron])
@@ -118,6 +129,10 @@ private:
     other[triangle.opposite] = b;
     double cost =
       m_Energy.CostOfEdge(a, b) + m_Energy.CostWithoutTetrahedron(t) + m_Energy.CostWithoutTetrahedron(other);
+    if (cost - 3.0 * LargestGain >= NoDifference)
+    {
+      return false;
+    }
     for (int i = 0; i < 4; ++i)
     {
       if (i != triangle.opposite)
@@ -139,9 +154,9 @@ private:
     {
       cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
     }
-    // At the best all diagonals and all tetrahedra over the ring are wanted, and a wanted one gains 1 at most.
+    // At the best all diagonals and all tetrahedra over the ring are wanted.
     const auto n = static_cast<double>(ring.size());
-    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= NoDifference)
+    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) * LargestGain >= NoDifference)
     {
       return false;
     }
@@ -219,9 +234,13 @@ private:
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
       {
-        if (vertices[i] == vertices[j] ||
-            ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]) +
-                2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >=
+        if (vertices[i] == vertices[j])
+        {
+          continue;
+        }
+        const double ofEdges = ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]);
+        if (ofEdges - 2.0 * LargestGain >= NoDifference ||
+            ofEdges + 2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >=
               NoDifference)
         {
           continue;
