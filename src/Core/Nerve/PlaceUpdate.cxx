@@ -28,6 +28,14 @@ IsBeforeInRaster(const VoxelIndex & a, const VoxelIndex & b)
   return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
 }
 
+/** Whether so many voxels have changed that the whole image is read sooner. */
+bool
+IsMuch(const LabelVolume & volume, const std::vector<VoxelChange> & changes)
+{
+  constexpr std::size_t share = 100;
+  return changes.size() > volume.vertices.size() / share;
+}
+
 /** The first voxels of all blocks that one of the voxels is in, in raster order. */
 std::vector<VoxelIndex>
 FindBases(const std::vector<VoxelChange> & changes)
@@ -243,6 +251,11 @@ void
 UpdateCrowdedBlocks(const LabelVolume & volume, const std::vector<VoxelChange> & changes,
                     std::vector<CrowdedBlock> & blocks)
 {
+  if (IsMuch(volume, changes))
+  {
+    blocks = FindCrowdedBlocks(volume);
+    return;
+  }
   const std::vector<VoxelIndex> bases = FindBases(changes);
   const auto                    isChanged = [&](const CrowdedBlock & block) {
     return std::binary_search(bases.begin(), bases.end(), block.base, [](const VoxelIndex & a, const VoxelIndex & b) {
@@ -272,9 +285,7 @@ UpdateCrowdedBlocks(const LabelVolume & volume, const std::vector<VoxelChange> &
 void
 UpdateImageWalls(const LabelVolume & volume, const std::vector<VoxelChange> & changes, std::vector<ImageWall> & walls)
 {
-  // Floods are slow: where much has changed the image is read sooner.
-  constexpr std::size_t shareOfMuch = 100;
-  if (changes.size() > volume.vertices.size() / shareOfMuch)
+  if (IsMuch(volume, changes))
   {
     walls = FindImageWalls(volume);
     return;
