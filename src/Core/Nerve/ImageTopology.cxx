@@ -82,8 +82,23 @@ public:
     UpdateCrowdedBlocks(this->GetImage(), m_Changes, m_Blocks);
     m_Topology.nerve = MakeImageNerve(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Blocks, m_Execution);
     m_Execution.Report(0.6);
+    m_Division = LabelDivision({}, m_Topology.fragments.numberOfVertices);
     this->DivideWhereNeeded();
+    this->NameCells();
     m_Execution.Report(0.7);
+  }
+
+  /** Divides cells, ascending, whatever their walls are, and makes the nerve anew. Returns whether there was anything
+   * to divide. */
+  bool
+  DivideCells(const std::vector<VertexId> & cells)
+  {
+    auto split = WithAllWalls(this->GetImage(), m_Topology.places.walls, cells);
+    this->TakeImage();
+    const bool isDivided = this->DivideAndUpdate({}, std::move(split));
+    this->LeaveImage();
+    this->NameCells();
+    return isDivided;
   }
 
 private:
@@ -136,74 +151,92 @@ private:
   DivideWhereNeeded()
   {
     const LabelVolume & image = this->GetImage();
-    const auto &        walls = m_Topology.places.walls;
-    auto                faulty = FindFaultyWalls(image, walls, m_Topology.nerve.complex);
-    auto                around = FindCellsAround(image, walls, m_Topology.fragments.numberOfVertices);
-    auto                split = FindSplitCells(image, walls, m_Topology.nerve.complex);
-    LabelDivision       division({}, m_Topology.fragments.numberOfVertices);
-    if (!faulty.empty() || !around.empty() || !split.empty())
+    auto                faulty = FindFaultyWalls(image, m_Topology.places.walls, m_Topology.nerve.complex);
+    auto                around = FindCellsAround(image, m_Topology.places.walls, m_Topology.fragments.numberOfVertices);
+    const auto          split = FindSplitCells(image, m_Topology.places.walls, m_Topology.nerve.complex);
+    if (faulty.empty() && around.empty() && split.empty())
     {
-      division.volume = m_Topology.volume.vertices.empty() ? m_Volume : std::move(m_Topology.volume);
-      if (Divide(division, std::move(faulty), std::move(around)))
-      {
-        this->TakeDivision(division);
-        split = FindSplitCells(division.volume, walls, m_Topology.nerve.complex);
-      }
-      this->DivideSplitCells(division, std::move(split));
-      m_Topology.volume = std::move(division.volume);
+      return;
     }
-    m_Topology.divided = division.FindDividedCells();
-    m_Topology.cellOf = std::move(division.realOf);
-  }
-
-  void
-  DivideSplitCells(LabelDivision & division, std::vector<SplitCell> split)
-  {
+    this->TakeImage();
+    this->DivideAndUpdate(std::move(faulty), std::move(around));
     // Of a cell around others that is around others each pass divides one more.
     constexpr int maximumNumberOfPasses = 3;
-    for (int pass = 0; pass < maximumNumberOfPasses && !split.empty(); ++pass)
+    for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
     {
-      if (!Divide(division, {}, std::move(split)))
+      auto left = FindSplitCells(m_Division.volume, m_Topology.places.walls, m_Topology.nerve.complex);
+      if (left.empty() || !this->DivideAndUpdate({}, std::move(left)))
       {
         break;
       }
-      this->TakeDivision(division);
-      split = FindSplitCells(division.volume, m_Topology.places.walls, m_Topology.nerve.complex);
     }
-    if (division.NumberOfVertices() > m_Topology.fragments.numberOfVertices)
-    {
-      m_Topology.places.corners = FindCornerPlaces(division.volume, m_Blocks);
-    }
+    this->LeaveImage();
   }
 
-  /** Puts the nerve and the walls of the divided image in the place of the image's. */
   void
-  TakeDivision(const LabelDivision & division)
+  TakeImage()
   {
-    auto & walls = m_Topology.places.walls;
-    if (division.isPadded)
+    if (m_Topology.volume.vertices.empty())
     {
-      m_Blocks = FindCrowdedBlocks(division.volume, m_Execution);
-      walls = FindImageWalls(division.volume, m_Execution);
+      m_Topology.volume = m_Volume;
+    }
+    m_Division.volume = std::move(m_Topology.volume);
+  }
+
+  void
+  LeaveImage()
+  {
+    if (m_Division.NumberOfVertices() > m_Topology.fragments.numberOfVertices)
+    {
+      m_Topology.places.corners = FindCornerPlaces(m_Division.volume, m_Blocks);
+    }
+    m_Topology.volume = std::move(m_Division.volume);
+  }
+
+  /** Puts the nerve and the walls of the divided image in the place of the image's, if that has changed. */
+  bool
+  DivideAndUpdate(std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
+  {
+    if (!Divide(m_Division, std::move(faulty), std::move(split)) && !m_Division.isPadded)
+    {
+      return false;
+    }
+    auto & walls = m_Topology.places.walls;
+    if (m_Division.isPadded)
+    {
+      m_Blocks = FindCrowdedBlocks(m_Division.volume, m_Execution);
+      walls = FindImageWalls(m_Division.volume, m_Execution);
     }
     else
     {
-      UpdateCrowdedBlocks(division.volume, division.changes, m_Blocks);
+      UpdateCrowdedBlocks(m_Division.volume, m_Division.changes, m_Blocks);
       // A voxel that changed before it was divided is there first, with the vertex that the walls know.
-      m_Changes.insert(m_Changes.end(), division.changes.begin(), division.changes.end());
-      UpdateImageWalls(division.volume, m_Changes, walls);
+      m_Changes.insert(m_Changes.end(), m_Division.changes.begin(), m_Division.changes.end());
+      UpdateImageWalls(m_Division.volume, m_Changes, walls);
     }
     m_Changes.clear();
-    m_Topology.nerve = MakeImageNerve(division.volume, division.NumberOfVertices(), m_Blocks, m_Execution);
+    m_Topology.nerve = MakeImageNerve(m_Division.volume, m_Division.NumberOfVertices(), m_Blocks, m_Execution);
     std::vector<VertexId> outside;
-    for (VertexId v = ExteriorVertex + 1; v < division.NumberOfVertices(); ++v)
+    for (VertexId v = ExteriorVertex + 1; v < m_Division.NumberOfVertices(); ++v)
     {
-      if (division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
+      if (m_Division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
       {
         outside.push_back(v);
       }
     }
     m_Topology.nerve.complex.SetOutside(std::move(outside));
+    return true;
+  }
+
+  void
+  NameCells()
+  {
+    m_Topology.divided = m_Division.FindDividedCells();
+    const std::vector<VertexId> cellOf = CellsWithFragments(m_Topology.fragments);
+    m_Topology.cellOf.resize(m_Division.realOf.size());
+    std::transform(m_Division.realOf.begin(), m_Division.realOf.end(), m_Topology.cellOf.begin(), [&](VertexId v) {
+      return cellOf[v];
+    });
   }
 
   const LabelVolume & m_Volume;
@@ -213,6 +246,8 @@ private:
   std::vector<CrowdedBlock> m_Blocks;
   /** Since the walls were found. */
   std::vector<VoxelChange> m_Changes;
+  /** It has the image while it is being divided. */
+  LabelDivision m_Division;
 };
 } // namespace
 
@@ -221,18 +256,26 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
                   const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
-  ImageReading(volume, topology, execution).Run(numberOfVertices, parameters.minimumFragmentVoxels);
-  const std::vector<VertexId> cellOf = CellsWithFragments(topology.fragments);
-  std::transform(
-    topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
-  if (visit)
+  ImageReading  reading(volume, topology, execution);
+  reading.Run(numberOfVertices, parameters.minimumFragmentVoxels);
+  // Where a handle could not be cut the cell, or the piece of one, is divided across it.
+  constexpr int maximumNumberOfPasses = 4;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
-    visit(topology);
+    if (visit)
+    {
+      visit(topology);
+    }
+    topology.repairs = Repair(topology.nerve, topology.places);
+    topology.descent = Descend(
+      topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
+    topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
+    if (topology.unsoundCells.empty() || pass + 1 == maximumNumberOfPasses ||
+        !reading.DivideCells(topology.unsoundCells))
+    {
+      break;
+    }
   }
-  topology.repairs = Repair(topology.nerve, topology.places);
-  topology.descent = Descend(
-    topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
-  topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
   return topology;
 }
 } // namespace tissue

@@ -27,24 +27,25 @@ constexpr int LayerSteps = 2;
 constexpr std::int32_t Padding = LayerSteps + 1;
 constexpr int          MaximumNumberOfRounds = 6;
 
-/** Whether a layer around one of the walls may reach out of the image. */
+/** Whether a layer around a cell may reach out of the image. */
 bool
-AreNearBorder(const LabelVolume & volume, const std::vector<KuhnEdge> & walls)
+AreNearBorder(const LabelDivision & division, const std::vector<VoxelBox> & boxes)
 {
-  const auto isNear = [&](const VoxelIndex & p) {
-    bool isNearAny = false;
-    for (int axis = 0; axis < 3; ++axis)
+  VoxelBox all;
+  for (std::size_t v = 0; v < boxes.size(); ++v)
+  {
+    if (division.realOf[v] != ExteriorVertex && !boxes[v].IsEmpty())
     {
-      isNearAny = isNearAny || p[axis] < LayerSteps || p[axis] >= volume.size[axis] - LayerSteps;
+      all.Add(boxes[v].least);
+      all.Add(boxes[v].most);
     }
-    return isNearAny;
-  };
-  KuhnWallSearch search(volume);
-  return std::any_of(walls.begin(), walls.end(), [&](const KuhnEdge & start) {
-    const auto wall = search.Find(start);
-    return wall && (std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear) ||
-                    std::any_of(wall->voxels[1].begin(), wall->voxels[1].end(), isNear));
-  });
+  }
+  bool isNearAny = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isNearAny = isNearAny || all.least[axis] < Padding || all.most[axis] >= division.volume.size[axis] - Padding;
+  }
+  return isNearAny;
 }
 
 void
@@ -104,10 +105,11 @@ EachOnce(std::vector<VoxelIndex> voxels)
 class Division
 {
 public:
-  explicit Division(LabelDivision & division)
+  /** \param boxes of the vertices of the volume. */
+  Division(LabelDivision & division, std::vector<VoxelBox> boxes)
     : m_Volume(division.volume)
     , m_RealOf(division.realOf)
-    , m_Boxes(FindVoxelBoxes(division.volume, division.realOf.size()))
+    , m_Boxes(std::move(boxes))
   {}
 
   void
@@ -648,12 +650,8 @@ LabelDivision::FindDividedCells() const
 bool
 Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
 {
-  std::vector<KuhnEdge> walls = faulty;
-  for (const SplitCell & cell : split)
-  {
-    walls.insert(walls.end(), cell.walls.begin(), cell.walls.end());
-  }
-  division.isPadded = AreNearBorder(division.volume, walls);
+  std::vector<VoxelBox> boxes = FindVoxelBoxes(division.volume, division.realOf.size());
+  division.isPadded = AreNearBorder(division, boxes);
   if (division.isPadded)
   {
     division.volume = Pad(division.volume);
@@ -662,9 +660,10 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
     {
       Shift(cell.walls);
     }
+    boxes = FindVoxelBoxes(division.volume, division.realOf.size());
   }
   const VertexId before = division.NumberOfVertices();
-  Division       run(division);
+  Division       run(division, std::move(boxes));
   run.Run(std::move(faulty), split);
   division.changes = run.TakeChanges();
   return division.NumberOfVertices() > before;
@@ -717,6 +716,22 @@ FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls
       const auto starts = StartsOf(volume, wall);
       auto &     all = ofCell[wall.cells[1 - within]];
       all.insert(all.end(), starts.begin(), starts.end());
+    }
+  }
+  return ToSplitCells(std::move(ofCell));
+}
+
+std::vector<SplitCell>
+WithAllWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const std::vector<VertexId> & cells)
+{
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  for (std::size_t i = 0; i < 2 * walls.size(); ++i)
+  {
+    const VertexId cell = walls[i / 2].cells[i % 2];
+    if (std::binary_search(cells.begin(), cells.end(), cell))
+    {
+      const auto starts = StartsOf(volume, walls[i / 2]);
+      ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
   return ToSplitCells(std::move(ofCell));

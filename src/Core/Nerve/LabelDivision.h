@@ -48,7 +48,8 @@ struct LabelDivision
 };
 
 /** A cell that is to be divided although its walls are sound: it is around others, so that its surface is in pieces, or
- * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of. */
+ * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of, or it has
+ * handles. */
 struct SplitCell
 {
   VertexId cell;
@@ -84,6 +85,10 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
  * faces), with these walls. */
 std::vector<SplitCell>
 FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices);
+
+/** Cells, ascending, with all of their walls: to divide the whole of them. */
+std::vector<SplitCell>
+WithAllWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const std::vector<VertexId> & cells);
 
 /** The cells that have several links in the nerve, with the walls of all but the largest. */
 std::vector<SplitCell>
