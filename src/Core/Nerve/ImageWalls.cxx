@@ -63,6 +63,13 @@ ReadPlane(const LabelVolume & volume, std::int32_t z)
 /** The part that each face at the upper side of a voxel of a plane belongs to, by axis. */
 using PlaneFaces = std::array<std::vector<FaceId>, 3>;
 
+/** The faces of those voxels of a plane that have some. */
+struct VoxelFaces
+{
+  std::size_t           voxel;
+  std::array<FaceId, 3> faces;
+};
+
 /** Faces around the edges of another one. */
 using FacesAround = std::array<FaceId, 6>;
 
@@ -88,10 +95,15 @@ public:
       this->FindFaces(next, z);
       if (z == begin)
       {
-        m_First = m_Last;
+        m_First = this->ListLast();
       }
       m_Plane = std::move(next);
     }
+    m_LastList = this->ListLast();
+    // Scans are kept until all are done: without their planes.
+    m_Plane = {};
+    m_Below = {};
+    m_Last = {};
   }
 
   /** Faces around the lower edges of a face of a plane that are below the plane. */
@@ -111,15 +123,15 @@ public:
   {
     return m_Sets;
   }
-  const PlaneFaces &
+  const std::vector<VoxelFaces> &
   GetFirst() const
   {
     return m_First;
   }
-  const PlaneFaces &
+  const std::vector<VoxelFaces> &
   GetLast() const
   {
-    return m_Last;
+    return m_LastList;
   }
 
 private:
@@ -232,6 +244,18 @@ private:
     }
   }
 
+  std::vector<VoxelFaces>
+  ListLast() const
+  {
+    std::vector<VoxelFaces> list;
+    list.reserve(m_Touched.size());
+    for (const std::size_t p : m_Touched)
+    {
+      list.push_back({ p, { { m_Last[0][p], m_Last[1][p], m_Last[2][p] } } });
+    }
+    return list;
+  }
+
   /** Takes out the faces of the plane before the one below, whose memory is used again. */
   void
   ClearLast()
@@ -248,7 +272,8 @@ private:
   }
 
   LabelPlane               m_Plane;
-  PlaneFaces               m_First;
+  std::vector<VoxelFaces>  m_First;
+  std::vector<VoxelFaces>  m_LastList;
   PlaneFaces               m_Below;
   PlaneFaces               m_Last;
   std::vector<std::size_t> m_Touched;
@@ -261,6 +286,13 @@ private:
 class WallJoin
 {
 public:
+  /** \param planeSize voxels of a plane with its border. */
+  explicit WallJoin(std::size_t planeSize)
+    : m_Below{ { std::vector<FaceId>(planeSize, None),
+                 std::vector<FaceId>(planeSize, None),
+                 std::vector<FaceId>(planeSize, None) } }
+  {}
+
   void
   Append(WallScan & scan)
   {
@@ -276,25 +308,28 @@ public:
   /** Joins the first plane of the slab that was appended last to the last one of that before, whose parts begin at
    * lowerOffset. */
   void
-  JoinSlabs(const PlaneFaces & below, const PlaneFaces & first, std::size_t lowerOffset, std::size_t width)
+  JoinSlabs(const std::vector<VoxelFaces> & below, const std::vector<VoxelFaces> & first, std::size_t lowerOffset,
+            std::size_t width)
   {
-    for (int axis = 0; axis < 2; ++axis)
+    for (const VoxelFaces & voxel : below)
     {
-      for (std::size_t p = 0; p + width < first[axis].size(); ++p)
+      for (int axis = 0; axis < 3; ++axis)
       {
-        for (const FaceId under : WallScan::Under(below, axis, p, width))
-        {
-          if (first[axis][p] == None || under == None)
-          {
-            continue;
-          }
-          const std::size_t upper = m_Offset + static_cast<std::size_t>(first[axis][p]);
-          const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
-          if (m_Parts[upper].cells == m_Parts[lower].cells)
-          {
-            m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
-          }
-        }
+        m_Below[axis][voxel.voxel] = voxel.faces[axis];
+      }
+    }
+    for (const VoxelFaces & voxel : first)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        this->JoinFace(voxel.faces[axis], WallScan::Under(m_Below, axis, voxel.voxel, width), lowerOffset);
+      }
+    }
+    for (const VoxelFaces & voxel : below)
+    {
+      for (auto & ofAxis : m_Below)
+      {
+        ofAxis[voxel.voxel] = None;
       }
     }
   }
@@ -309,6 +344,23 @@ public:
   GatherWalls(const LabelVolume & volume);
 
 private:
+  void
+  JoinFace(FaceId face, const std::array<FaceId, 3> & facesUnder, std::size_t lowerOffset)
+  {
+    for (const FaceId under : facesUnder)
+    {
+      if (face != None && under != None)
+      {
+        const std::size_t upper = m_Offset + static_cast<std::size_t>(face);
+        const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
+        if (AreEqual(m_Parts[upper].cells, m_Parts[lower].cells))
+        {
+          m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
+        }
+      }
+    }
+  }
+
   std::int64_t
   Index(std::size_t part) const
   {
@@ -318,6 +370,8 @@ private:
   std::vector<WallPart> m_Parts;
   DisjointSets          m_Sets;
   std::size_t           m_Offset = 0;
+  /** The faces of the plane below a slab that is being joined; else none. */
+  PlaneFaces m_Below;
 };
 
 std::vector<ImageWall>
@@ -383,7 +437,7 @@ FindImageWalls(const LabelVolume & volume, const Execution & execution)
     const auto begin = static_cast<std::int32_t>(i) * planesPerSlab - 1;
     scans[i].emplace_back(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
   });
-  WallJoin join;
+  WallJoin join((static_cast<std::size_t>(volume.size[0]) + 2) * (static_cast<std::size_t>(volume.size[1]) + 2));
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t lowerOffset = join.GetOffset();
