@@ -60,14 +60,17 @@ ReadPlane(const LabelVolume & volume, std::int32_t z)
   return plane;
 }
 
-/** The part that each face at the upper side of a voxel of a plane belongs to, by axis. */
-using PlaneFaces = std::array<std::vector<FaceId>, 3>;
+/** The parts that the faces at the upper sides of a voxel belong to, by axis. */
+using FacesOfVoxel = std::array<FaceId, 3>;
+constexpr FacesOfVoxel NoFaces{ { None, None, None } };
+/** Of all voxels of a plane. */
+using PlaneFaces = std::vector<FacesOfVoxel>;
 
 /** The faces of those voxels of a plane that have some. */
 struct VoxelFaces
 {
-  std::size_t           voxel;
-  std::array<FaceId, 3> faces;
+  std::size_t  voxel;
+  FacesOfVoxel faces;
 };
 
 /** Faces around the edges of another one. */
@@ -84,8 +87,7 @@ public:
   WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
     : m_Plane(ReadPlane(volume, begin))
   {
-    const std::vector<FaceId> noFaces(m_Plane.labels.size(), None);
-    m_Below = { { noFaces, noFaces, noFaces } };
+    m_Below.assign(m_Plane.labels.size(), NoFaces);
     m_Last = m_Below;
     for (std::int32_t z = begin; z < end; ++z)
     {
@@ -110,7 +112,7 @@ public:
   static std::array<FaceId, 3>
   Under(const PlaneFaces & below, int axis, std::size_t p, std::size_t width)
   {
-    return { { below[axis][p], below[2][p], below[2][p + (axis == 0 ? 1 : width)] } };
+    return { { below[p][axis], below[p][2], below[p + (axis == 0 ? 1 : width)][2] } };
   }
 
   const std::vector<WallPart> &
@@ -220,26 +222,26 @@ private:
     if (labels[1] != labels[0])
     {
       const auto under = Under(m_Below, 0, p, width);
-      m_Last[0][p] = this->AddFace(
+      m_Last[p][0] = this->AddFace(
         labels[0],
         labels[1],
-        { { last[0][p - width], last[1][p - width], last[1][p - width + 1], under[0], under[1], under[2] } },
+        { { last[p - width][0], last[p - width][1], last[p - width + 1][1], under[0], under[1], under[2] } },
         { { twice[0] + 1, twice[1], twice[2] } });
     }
     if (labels[2] != labels[0])
     {
       const auto under = Under(m_Below, 1, p, width);
-      m_Last[1][p] = this->AddFace(labels[0],
+      m_Last[p][1] = this->AddFace(labels[0],
                                    labels[2],
-                                   { { last[1][p - 1], last[0][p - 1], last[0][p], under[0], under[1], under[2] } },
+                                   { { last[p - 1][1], last[p - 1][0], last[p][0], under[0], under[1], under[2] } },
                                    { { twice[0], twice[1] + 1, twice[2] } });
     }
     if (labels[3] != labels[0])
     {
-      m_Last[2][p] = this->AddFace(
+      m_Last[p][2] = this->AddFace(
         labels[0],
         labels[3],
-        { { last[2][p - 1], last[2][p - width], last[0][p], last[1][p], last[0][p - 1], last[1][p - width] } },
+        { { last[p - 1][2], last[p - width][2], last[p][0], last[p][1], last[p - 1][0], last[p - width][1] } },
         { { twice[0], twice[1], twice[2] + 1 } });
     }
   }
@@ -251,7 +253,7 @@ private:
     list.reserve(m_Touched.size());
     for (const std::size_t p : m_Touched)
     {
-      list.push_back({ p, { { m_Last[0][p], m_Last[1][p], m_Last[2][p] } } });
+      list.push_back({ p, m_Last[p] });
     }
     return list;
   }
@@ -262,10 +264,7 @@ private:
   {
     for (const std::size_t p : m_TouchedBelow)
     {
-      for (auto & ofAxis : m_Last)
-      {
-        ofAxis[p] = None;
-      }
+      m_Last[p] = NoFaces;
     }
     m_TouchedBelow.swap(m_Touched);
     m_Touched.clear();
@@ -288,9 +287,7 @@ class WallJoin
 public:
   /** \param planeSize voxels of a plane with its border. */
   explicit WallJoin(std::size_t planeSize)
-    : m_Below{ { std::vector<FaceId>(planeSize, None),
-                 std::vector<FaceId>(planeSize, None),
-                 std::vector<FaceId>(planeSize, None) } }
+    : m_Below(planeSize, NoFaces)
   {}
 
   void
@@ -313,10 +310,7 @@ public:
   {
     for (const VoxelFaces & voxel : below)
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        m_Below[axis][voxel.voxel] = voxel.faces[axis];
-      }
+      m_Below[voxel.voxel] = voxel.faces;
     }
     for (const VoxelFaces & voxel : first)
     {
@@ -327,10 +321,7 @@ public:
     }
     for (const VoxelFaces & voxel : below)
     {
-      for (auto & ofAxis : m_Below)
-      {
-        ofAxis[voxel.voxel] = None;
-      }
+      m_Below[voxel.voxel] = NoFaces;
     }
   }
 
