@@ -104,8 +104,8 @@ public:
     m_LastList = this->ListLast();
     // Scans are kept until all are done: without their planes.
     m_Plane = {};
-    m_Below = {};
-    m_Last = {};
+    m_Below = PlaneFaces();
+    m_Last = PlaneFaces();
   }
 
   /** Faces around the lower edges of a face of a plane that are below the plane. */
