@@ -8,7 +8,9 @@
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <tuple>
 
 namespace tissue
@@ -69,8 +71,8 @@ using PlaneFaces = std::vector<FacesOfVoxel>;
 /** The faces of those voxels of a plane that have some. */
 struct VoxelFaces
 {
-  std::size_t  voxel;
-  FacesOfVoxel faces;
+  std::uint32_t voxel;
+  FacesOfVoxel  faces;
 };
 
 /** Faces around the edges of another one. */
@@ -253,7 +255,7 @@ private:
     list.reserve(m_Touched.size());
     for (const std::size_t p : m_Touched)
     {
-      list.push_back({ p, m_Last[p] });
+      list.push_back({ static_cast<std::uint32_t>(p), m_Last[p] });
     }
     return list;
   }
@@ -420,25 +422,27 @@ std::vector<ImageWall>
 FindImageWalls(const LabelVolume & volume, const Execution & execution)
 {
   // Planes of a slab: few slabs, as each keeps two planes of faces, and yet one for each of many threads.
-  constexpr std::int32_t             planesPerSlab = 32;
-  const std::int32_t                 planes = volume.size[2] + 1;
-  const auto                         count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
-  std::vector<std::vector<WallScan>> scans(count); // each of one: a scan is made where it is run
-  execution.For(count, [&](std::size_t i) {
-    const auto begin = static_cast<std::int32_t>(i) * planesPerSlab - 1;
-    scans[i].emplace_back(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
-  });
-  WallJoin join((static_cast<std::size_t>(volume.size[0]) + 2) * (static_cast<std::size_t>(volume.size[1]) + 2));
-  for (std::size_t i = 0; i < count; ++i)
+  constexpr std::int32_t  planesPerSlab = 32;
+  constexpr std::size_t   slabsAtOnce = 8;
+  const std::int32_t      planes = volume.size[2] + 1;
+  const auto              count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
+  const std::size_t       width = static_cast<std::size_t>(volume.size[0]) + 2;
+  WallJoin                join(width * (static_cast<std::size_t>(volume.size[1]) + 2));
+  std::vector<VoxelFaces> below;
+  for (std::size_t first = 0; first < count; first += slabsAtOnce)
   {
-    const std::size_t lowerOffset = join.GetOffset();
-    join.Append(scans[i].front());
-    if (i > 0)
+    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, count - first));
+    execution.For(scans.size(), [&](std::size_t i) {
+      const auto begin = static_cast<std::int32_t>(first + i) * planesPerSlab - 1;
+      scans[i].emplace(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
+    });
+    for (auto & scan : scans)
     {
-      join.JoinSlabs(scans[i - 1].front().GetLast(),
-                     scans[i].front().GetFirst(),
-                     lowerOffset,
-                     static_cast<std::size_t>(volume.size[0]) + 2);
+      const std::size_t lowerOffset = join.GetOffset();
+      join.Append(*scan);
+      join.JoinSlabs(below, scan->GetFirst(), lowerOffset, width);
+      below = scan->GetLast();
+      scan.reset();
     }
   }
   return join.GatherWalls(volume);
