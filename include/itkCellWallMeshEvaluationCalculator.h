@@ -123,6 +123,14 @@ public:
   GetMeanWallDistance() const;
   double
   GetMeanTriangleQuality() const;
+  /** The least angle of a triangle, and within a cell between two triangles, in degrees. */
+  double
+  GetMinimumTriangleAngle() const;
+  double
+  GetMinimumDihedralAngle() const;
+  /** The longest edge over the shortest. */
+  double
+  GetEdgeLengthRatio() const;
   double
   GetMeanDice() const;
   double

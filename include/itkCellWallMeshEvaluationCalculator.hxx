@@ -251,6 +251,27 @@ CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanTriangleQuality() const
 
 template <typename TLabelImage>
 double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMinimumTriangleAngle() const
+{
+  return this->GetEvaluation().mesh.angles.minimumTriangleAngle;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMinimumDihedralAngle() const
+{
+  return this->GetEvaluation().mesh.angles.minimumDihedralAngle;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetEdgeLengthRatio() const
+{
+  return this->GetEvaluation().mesh.angles.EdgeLengthRatio();
+}
+
+template <typename TLabelImage>
+double
 CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanDice() const
 {
   return this->GetEvaluation().meanDice;

@@ -149,6 +149,9 @@ ToJson(const Evaluation & e)
     { "shareOfFalseWalls", e.distance.shareOfFalseWalls },
     { "quality",
                             { { "mean", m.quality.mean }, { "fifthPercentile", m.quality.fifthPercentile }, { "least", m.quality.least } } },
+    { "minimumTriangleAngle", m.angles.minimumTriangleAngle },
+    { "minimumDihedralAngle", m.angles.minimumDihedralAngle },
+    { "edgeLengthRatio", m.angles.EdgeLengthRatio() },
     { "degenerateTriangles", m.numberOfDegenerateTriangles },
     { "crossingPairs", m.numberOfCrossings },
     { "meanDice", e.meanDice },
@@ -165,6 +168,7 @@ ToJson(const Evaluation & e)
                                { "volumeError", numberOrNull(cell.volumeError) },
                                { "wallDistance", numberOrNull(e.distance.ofVertex[v]) },
                                { "wallDistanceInVoxels", numberOrNull(inVoxels(e.distance.ofVertex[v])) },
+                               { "minimumDihedralAngle", m.angles.minimumDihedralOfCell[v] },
                                { "dice", e.dice[v] },
                                { "convexity", numberOrNull(cell.convexity) } });
   }
@@ -215,6 +219,9 @@ Print(const Evaluation & e, std::ostream & stream)
                                 << e.distance.shareOfFalseWalls << " of the area in walls that the image has not\n";
   line("Quality: mean, 5 %, least") << m.quality.mean << ", " << m.quality.fifthPercentile << ", " << m.quality.least
                                     << "; degenerate " << m.numberOfDegenerateTriangles << '\n';
+  line("Least angle: triangle, dihedral")
+    << m.angles.minimumTriangleAngle << ", " << m.angles.minimumDihedralAngle << " degrees; longest edge "
+    << m.angles.EdgeLengthRatio() << " times the shortest\n";
   line("Pairs of triangles that cross") << m.numberOfCrossings << '\n';
   line("Dice of voxels, convexity of cells") << e.meanDice << ", " << numberOrNone(m.meanConvexity) << '\n';
 }

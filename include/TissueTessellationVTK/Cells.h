@@ -98,6 +98,8 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
   AddColumn<vtkTypeInt32Array>(attributes, "NumberOfNeighbors", vertices, [&](Vertex v) { return neighbors[v]; });
   addSurface("NumberOfTriangles", &CellSurface::numberOfTriangles);
   addSurface("EulerCharacteristic", &CellSurface::eulerCharacteristic);
+  AddColumn<vtkTypeFloat64Array>(
+    attributes, "MinimumDihedralAngle", vertices, [&](Vertex v) { return check.angles.minimumDihedralOfCell[v]; });
   AddColumn<vtkTypeUInt8Array>(attributes, "IsClosed", vertices, [&](Vertex v) { return surfaces[v].IsClosed(); });
   addFlag("TouchesExterior", &Cell::touchesExterior);
   addFlag("TouchesBorder", &Cell::touchesBorder);
@@ -139,7 +141,9 @@ InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & tria
  * | `ImageVolume` | Float64 | volume of the cell's voxels |
  * | `SurfaceArea` | Float64 | area of the cell's walls |
  * | `NumberOfNeighbors` | Int32 | cells that share a wall with it, the exterior not counted |
- * | `NumberOfTriangles`, `EulerCharacteristic`, `IsClosed` | Int32, Int32, UInt8 | of its walls, as in CellSurface |
+ * | `NumberOfTriangles`, `EulerCharacteristic` | Int32 | of its walls, as in CellSurface |
+ * | `MinimumDihedralAngle` | Float64 | the least angle within it between two of its triangles, in degrees |
+ * | `IsClosed` | UInt8 | as in CellSurface |
  * | `TouchesExterior`, `TouchesBorder` | UInt8 | 1 or 0: in the image, as in Cell |
  * | `NumberOfPieces`, `NumberOfVoxels`, `NumberOfStrayVoxels` | Int32, Int64, Int64 | in the image, as in Cell |
  *

@@ -87,11 +87,12 @@ TEST_F(VTKFilesTest, TheTableIsCommaSeparatedWithExactNumbers)
   std::string   row;
   std::getline(file, header);
   std::getline(file, row);
-  EXPECT_EQ(header,
-            "Label,CenterX,CenterY,CenterZ,Volume,ImageVolume,SurfaceArea,NumberOfNeighbors,NumberOfTriangles,"
-            "EulerCharacteristic,IsClosed,TouchesExterior,TouchesBorder,NumberOfPieces,NumberOfVoxels,"
-            "NumberOfStrayVoxels");
-  EXPECT_EQ(row, "10,123456.78901234567,0.5,0.5,1,0.875,6,2,12,2,1,1,0,1,1001,0");
+  EXPECT_EQ(
+    header,
+    "Label,CenterX,CenterY,CenterZ,Volume,ImageVolume,SurfaceArea,NumberOfNeighbors,NumberOfTriangles,"
+    "EulerCharacteristic,MinimumDihedralAngle,IsClosed,TouchesExterior,TouchesBorder,NumberOfPieces,NumberOfVoxels,"
+    "NumberOfStrayVoxels");
+  EXPECT_EQ(row, "10,123456.78901234567,0.5,0.5,1,0.875,6,2,12,2,90,1,1,0,1,1001,0");
 }
 
 #ifdef __unix__

@@ -37,6 +37,9 @@ class CellWallMeshEvaluationCalculatorTest(unittest.TestCase):
         self.assertLess(fitted.GetMeanVolumeError(), stars.GetMeanVolumeError())
         self.assertLess(fitted.GetMeanWallDistance(), stars.GetMeanWallDistance())
         self.assertGreater(fitted.GetMeanTriangleQuality(), 0.8)
+        self.assertGreaterEqual(fitted.GetMinimumTriangleAngle(), 10)
+        self.assertGreaterEqual(fitted.GetMinimumDihedralAngle(), 10)
+        self.assertLess(fitted.GetEdgeLengthRatio(), 100)
         self.assertTrue(0.9 < fitted.GetMeanConvexity() < 1)
 
     def test_errors_reach_python(self):

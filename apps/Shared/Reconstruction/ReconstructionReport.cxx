@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionReport.h"
 
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 
 #include <itkMultiThreaderBase.h>
@@ -70,6 +71,31 @@ MeanVolumeError(const ReconstructionReport & report)
   return sum / static_cast<double>(cells.size() - 1);
 }
 
+/** The labels of the cell that has the angle and of its wall's cells, and the mean of the place's points. */
+Json
+SharpPlacesToJson(const TissueReconstruction & reconstruction, const std::vector<Cell> & cells)
+{
+  constexpr const char * kinds[] = { "triangleAngle", "dihedralAngle", "edgeLength" };
+  Json                   places = Json::array();
+  for (const SharpPlace & place : reconstruction.fitting.sharpPlaces)
+  {
+    const auto & points = reconstruction.walls.points;
+    const int    count = place.points[2] >= 0 ? 3 : 2;
+    Point        mean{ { 0.0, 0.0, 0.0 } };
+    for (int i = 0; i < count; ++i)
+    {
+      mean = mean + (1.0 / count) * points[place.points[i]];
+    }
+    const VertexPair & wall = reconstruction.walls.walls[place.wall].cells;
+    places.push_back({ { "kind", kinds[static_cast<int>(place.kind)] },
+                       { "value", place.value },
+                       { "label", cells[place.cell].label },
+                       { "wall", { cells[wall[0]].label, cells[wall[1]].label } },
+                       { "position", { mean[0], mean[1], mean[2] } } });
+  }
+  return places;
+}
+
 Json
 MeshToJson(const ReconstructionReport & report)
 {
@@ -89,6 +115,10 @@ MeshToJson(const ReconstructionReport & report)
            { "meanVolumeError", report.HasLabelImage() ? Json(MeanVolumeError(report)) : Json() },
            { "triangleQuality",
              { { "mean", quality.mean }, { "fifthPercentile", quality.fifthPercentile }, { "least", quality.least } } },
+           { "minimumTriangleAngle", check.angles.minimumTriangleAngle },
+           { "minimumDihedralAngle", check.angles.minimumDihedralAngle },
+           { "edgeLengthRatio", check.angles.EdgeLengthRatio() },
+           { "sharpPlaces", SharpPlacesToJson(reconstruction, cells) },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
            { "pointsWithMoreThanFourCells", check.crowdedPoints.size() },
            { "degenerateTriangles", check.numberOfDegenerateTriangles },

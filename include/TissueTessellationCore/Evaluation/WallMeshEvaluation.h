@@ -15,7 +15,7 @@
 #include "TissueTessellationCore/Evaluation/WallDistance.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
-#include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationCore/Mesh/WallAngles.h"
 
 namespace tissue
 {
@@ -50,7 +50,9 @@ struct WallMeshEvaluation
    * the image's voxel faces has 1 in all three. */
   AdjacencyOverlap overlap;
   QualitySummary   quality;
-  std::size_t      numberOfDegenerateTriangles = 0;
+  /** The least angles, and the edges; angles in degrees. */
+  WallAngles  angles;
+  std::size_t numberOfDegenerateTriangles = 0;
   /** The number of pairs of triangles that cross (TriangleCrossing.h). */
   std::size_t numberOfCrossings = 0;
 

@@ -7,6 +7,8 @@
 #ifndef TissueTessellationCore_WallFittingStatistics_h
 #define TissueTessellationCore_WallFittingStatistics_h
 
+#include "TissueTessellationCore/Mesh/WallAngles.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +26,8 @@ struct WallFittingStatistics
   std::int64_t crossingPairs = 0;
   /** The number of walls that stay a subdivided star or outline at first, as they would cross others if remeshed. */
   std::int64_t starWalls = 0;
+  /** The places of the mesh that are sharper than AngleLimits and could not be mended. */
+  std::vector<SharpPlace> sharpPlaces;
 };
 
 } // namespace tissue

@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_CellSurfaceCheck_h
 #define TissueTessellationCore_CellSurfaceCheck_h
 
-#include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationCore/Mesh/WallAngles.h"
 
 #include <vector>
 
@@ -64,6 +64,8 @@ struct CellSurface
 /** \brief What CheckCellSurfaces found: the promises of WallMesh, one by one. */
 struct CellSurfaceCheck
 {
+  /** The least angles, and the edges. */
+  WallAngles angles;
   /** The surface of each cell, by vertex of the adjacency complex. The entry of the exterior stays empty. */
   std::vector<CellSurface> cells;
   /** The cells that are in no triangle, in ascending order. */

@@ -62,6 +62,9 @@ enum class Remark
   /** The cell's volume in a mesh that is fitted to the image is more than 1 % off, as its walls would cross others.
    * Value: as of VolumeOff. */
   VolumeNotFitted,
+  /** Places of the cell's walls are sharper than AngleLimits and could not be mended: small angles of triangles or
+   * between them, or short edges. Value: their number. */
+  Sharp,
   /** The cell has no triangle in the mesh: CellSurfaceCheck tells, not the reconstruction. */
   Missing,
   /** The cell's surface in the mesh is no closed sphere; likewise. Value: its Euler characteristic. */

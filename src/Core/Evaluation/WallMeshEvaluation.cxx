@@ -142,6 +142,10 @@ JudgeCells(const WallMesh & walls, const std::vector<Cell> & cells, const Execut
   const CellSurfaceCheck check = CheckCellSurfaces(walls, numberOfVertices + 1);
   const auto             points = PointsOfCells(walls, numberOfVertices);
   evaluation.numberOfDegenerateTriangles = static_cast<std::size_t>(check.numberOfDegenerateTriangles);
+  evaluation.angles = check.angles;
+  evaluation.angles.minimumDihedralOfCell.resize(cells.size()); // without that of gaps
+  evaluation.angles.minimumDihedralAngle =
+    *std::min_element(evaluation.angles.minimumDihedralOfCell.begin(), evaluation.angles.minimumDihedralOfCell.end());
   evaluation.cells.resize(cells.size());
   execution.For(cells.size() - 1, [&](std::size_t i) {
     const std::size_t          v = i + 1;

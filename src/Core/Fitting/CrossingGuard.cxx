@@ -12,11 +12,30 @@
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tissue
 {
 namespace
 {
+/** The limits as the tests have them. */
+struct Limits
+{
+  double largestFold; // the cosine of the least angle between two triangles at an edge
+  double leastSine;   // of the least angle in a triangle
+};
+
+double
+SineOfLeastAngle(const Point & a, const Point & b, const Point & c)
+{
+  const double ab = Dot(b - a, b - a);
+  const double bc = Dot(c - b, c - b);
+  const double ca = Dot(a - c, a - c);
+  // The least angle is opposite to the shortest edge.
+  const double product = ab * bc * ca / std::min({ ab, bc, ca });
+  return product > 0.0 ? Norm(Cross(b - a, c - a)) / std::sqrt(product) : 0.0;
+}
+
 int
 CountShared(const Triangle & a, const Triangle & b)
 {
@@ -28,17 +47,14 @@ CountShared(const Triangle & a, const Triangle & b)
   return shared;
 }
 
-/** Tells whether two triangles that share an edge lie on each other to within 5 degrees.
- *
- * The angle is that between the directions from the edge, at right angles to it, to the two apexes. */
-bool
-IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
+/** The cosine of the angle at their edge between two triangles that share one; -1 where they share none. */
+double
+FoldOf(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
 {
-  constexpr double least = 0.996; // This is the cosine of 5 degrees.
-  PointId          ends[2] = { -1, -1 };
-  PointId          apexA = -1;
-  PointId          apexB = -1;
-  int              n = 0;
+  PointId ends[2] = { -1, -1 };
+  PointId apexA = -1;
+  PointId apexB = -1;
+  int     n = 0;
   for (const PointId p : a)
   {
     if (std::find(b.begin(), b.end(), p) == b.end())
@@ -56,21 +72,37 @@ IsFolded(const std::vector<Point> & points, const Triangle & a, const Triangle &
   }
   if (n < 2 || apexA < 0 || apexB < 0)
   {
-    return false;
+    return -1.0;
   }
   const Point axis = Normalized(points[ends[1]] - points[ends[0]]);
   const auto  across = [&](PointId apex) {
     const Point v = points[apex] - points[ends[0]];
     return Normalized(v - Dot(v, axis) * axis);
   };
-  return Dot(across(apexA), across(apexB)) > least;
+  return Dot(across(apexA), across(apexB));
 }
 
-/** Tells whether two triangles cross, or, where they share an edge and so cannot, are folded onto each other. */
+/** Tells whether two triangles cross, or, where they share an edge and so cannot, are folded onto each other, and more
+ * so than before. */
 bool
-IsFaulty(const std::vector<Point> & points, const Triangle & a, const Triangle & b)
+IsFaulty(const std::vector<Point> & points, const std::vector<Point> & before, const Triangle & a, const Triangle & b,
+         const Limits & limits)
 {
-  return CountShared(a, b) > 1 ? IsFolded(points, a, b) : TrianglesCross(points, a, b);
+  if (CountShared(a, b) < 2)
+  {
+    return TrianglesCross(points, a, b);
+  }
+  const double fold = FoldOf(points, a, b);
+  return fold > limits.largestFold && fold > FoldOf(before, a, b);
+}
+
+/** Tells whether a triangle has a small angle, and a smaller one than before. */
+bool
+IsSliver(const std::vector<Point> & points, const std::vector<Point> & before, const Triangle & t,
+         const Limits & limits)
+{
+  const double sine = SineOfLeastAngle(points[t[0]], points[t[1]], points[t[2]]);
+  return sine < limits.leastSine && sine < SineOfLeastAngle(before[t[0]], before[t[1]], before[t[2]]);
 }
 
 /** Marks the triangles of which a point is at two different places. */
@@ -92,8 +124,11 @@ MarkMoved(const WallMesh & mesh, const std::vector<Point> & here, const std::vec
 
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
-                      const Execution & execution)
+                      const AngleLimits & angles, const Execution & execution)
 {
+  constexpr double radiansPerDegree = 0.017453292519943295;
+  const Limits     limits{ std::cos(radiansPerDegree * angles.dihedralAngle),
+                       std::sin(radiansPerDegree * angles.triangleAngle) };
   // Only pairs whose boxes, about all places from before to target, overlap can become faulty: they are collected once.
   // In each round the movable points of the faulty pairs step back; then only pairs of changed triangles are tested.
   const std::vector<Point>        target = mesh.points;
@@ -107,26 +142,33 @@ StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const 
   {
     const auto isFault = [&](std::size_t i) {
       const auto & [a, b] = pairs[i];
-      return (isChanged[a] != 0 || isChanged[b] != 0) && IsFaulty(mesh.points, mesh.triangles[a], mesh.triangles[b]);
+      return (isChanged[a] != 0 || isChanged[b] != 0) &&
+             IsFaulty(mesh.points, before, mesh.triangles[a], mesh.triangles[b], limits);
+    };
+    const auto isSliver = [&](std::size_t t) {
+      return isChanged[t] != 0 && IsSliver(mesh.points, before, mesh.triangles[t], limits);
     };
     std::fill(pointChanged.begin(), pointChanged.end(), 0);
-    bool isAny = false;
-    for (const std::size_t i : Select(pairs.size(), isFault, execution))
-    {
-      for (const std::int32_t t : pairs[i])
+    bool       isAny = false;
+    const auto stepBack = [&](std::size_t t) {
+      for (const PointId p : mesh.triangles[t])
       {
-        for (const PointId p : mesh.triangles[t])
+        if (pointChanged[p] == 0 && level[p] < shares.size() && target[p] != before[p])
         {
-          if (pointChanged[p] == 0 && level[p] < shares.size() && target[p] != before[p])
-          {
-            pointChanged[p] = 1;
-            const double share = shares[level[p]++];
-            mesh.points[p] = share > 0.0 ? before[p] + share * (target[p] - before[p]) : before[p];
-            isAny = true;
-          }
+          pointChanged[p] = 1;
+          const double share = shares[level[p]++];
+          mesh.points[p] = share > 0.0 ? before[p] + share * (target[p] - before[p]) : before[p];
+          isAny = true;
         }
       }
+    };
+    const std::vector<std::size_t> slivers = Select(mesh.triangles.size(), isSliver, execution);
+    for (const std::size_t i : Select(pairs.size(), isFault, execution))
+    {
+      stepBack(static_cast<std::size_t>(pairs[i][0]));
+      stepBack(static_cast<std::size_t>(pairs[i][1]));
     }
+    std::for_each(slivers.begin(), slivers.end(), stepBack);
     if (!isAny)
     {
       break;

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Fitting/WallFitting.h"
 
+#include "Fitting/AngleMending.h"
 #include "Fitting/CornerFitting.h"
 #include "Fitting/CrossingGuard.h"
 #include "Fitting/CrossingWalls.h"
@@ -52,6 +53,10 @@ constexpr int RoundsPerMeshing[] = { 4, 2, 4 };
 constexpr int LastVolumeSteps = 10;
 /** The relative difference of a cell's volume from the wanted one below which nothing is left to do. */
 constexpr double VolumeTolerance = 1e-9;
+/** What no step may make sharper: folds in stars and meshes that are to be remeshed, then all that a mesh to be
+ * computed on must not have, with a margin for what is not measured alike. */
+constexpr AngleLimits Unfolded{ 0.0, 5.0, 0.0 };
+constexpr AngleLimits Guarded{ 11.0, 11.0, 0.0 };
 /** The shares of its way that a point is set back to, one after the other, while it makes triangles cross. */
 const std::vector<double> GuardShares = { 0.3, 0.0 };
 /** The same for the centres of the walls when they are lifted to the image, where the ways are long. */
@@ -100,7 +105,7 @@ public:
   {
     for (int round = 0; round < rounds; ++round)
     {
-      this->VolumeStep(mesh);
+      this->VolumeStep(mesh, Unfolded);
     }
   }
 
@@ -125,20 +130,22 @@ public:
         this->RemeshAgain(mesh, wanted, lengths, area);
         projection.SetWalls(mesh, lengths);
       }
+      const bool isLast = meshing + 1 == std::size(RoundsPerMeshing);
       for (int round = 0; round < RoundsPerMeshing[meshing]; ++round)
       {
         const std::vector<Point> before = mesh.points;
         projection.Move(mesh, m_Execution);
         ImproveTriangles(mesh, 1, m_Execution);
         FitVolumes(mesh, m_Volumes, VolumeShare);
-        StepBackFromCrossings(mesh, before, GuardShares, m_Execution);
+        StepBackFromCrossings(mesh, before, GuardShares, isLast ? Guarded : Unfolded, m_Execution);
         done += 1.0;
         m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
       }
     }
+    MendAngles(mesh, AngleLimits(), m_Execution);
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
-      this->VolumeStep(mesh);
+      this->VolumeStep(mesh, Guarded);
       done += 1.0;
       m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
     }
@@ -233,15 +240,15 @@ private:
         mesh.points[mesh.triangles[first[w]][0]] = (1.0 / static_cast<double>(m_Faces.End(w) - m_Faces.Begin(w))) * sum;
       }
     }
-    StepBackFromCrossings(mesh, before, LiftShares, m_Execution);
+    StepBackFromCrossings(mesh, before, LiftShares, Unfolded, m_Execution);
   }
 
   void
-  VolumeStep(WallMesh & mesh) const
+  VolumeStep(WallMesh & mesh, const AngleLimits & limits) const
   {
     const std::vector<Point> before = mesh.points;
     FitVolumes(mesh, m_Volumes, VolumeShare);
-    StepBackFromCrossings(mesh, before, GuardShares, m_Execution);
+    StepBackFromCrossings(mesh, before, GuardShares, limits, m_Execution);
   }
 
   bool
@@ -320,6 +327,10 @@ FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, Wa
   }
   fitter.PutCornersInOrder(mesh);
   JoinWalls(mesh);
+  if (trianglesPerCell > 0.0)
+  {
+    s.sharpPlaces = FindSharpPlaces(mesh, AngleLimits());
+  }
   s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
   return mesh;
 }

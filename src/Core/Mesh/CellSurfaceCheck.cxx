@@ -244,6 +244,7 @@ CheckCellSurfaces(const WallMesh & mesh, VertexId numberOfVertices)
     }
   }
   CheckPoints(mesh, check);
+  check.angles = MeasureWallAngles(mesh, numberOfVertices);
   check.numberOfDegenerateTriangles = std::count_if(
     mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto & t) { return IsDegenerate(mesh, t); });
   return check;

@@ -8,7 +8,9 @@
 
 #include "Nerve/GeneralMoves.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace tissue
 {
@@ -19,6 +21,17 @@ namespace
 constexpr double NoDifference = -1e-9;
 /** One tetrahedron more, or less, lowers the energy by no more than this. */
 constexpr double LargestGain = 1.0;
+/** A move that costs less than this costs nothing. With one that lowers the energy it still lowers it. */
+constexpr double LeastCost = 5e-10;
+
+/** Which single moves a visit carries out. */
+enum class Admission
+{
+  /** Those that lower the energy. */
+  Lowering,
+  /** Also those that cost nothing, where one beside them lowers the energy then: both are carried out. */
+  Opening
+};
 
 class Descent
 {
@@ -28,10 +41,12 @@ public:
     , m_Energy(energy)
   {}
 
-  /** Visits all tetrahedra, then all that were touched, until none is left. Returns the number of moves. */
+  /** Visits all tetrahedra, then all that were touched, until none is left. Returns the number of tetrahedra at which
+   * it found a move, or two. */
   std::int64_t
-  Sweep()
+  Sweep(Admission admission)
   {
+    m_Limit = admission == Admission::Lowering ? NoDifference : LeastCost;
     std::int64_t               moves = 0;
     std::vector<TetrahedronId> round;
     for (TetrahedronId id = 0; id < m_Complex.TetrahedronIdBound(); ++id)
@@ -48,7 +63,7 @@ public:
         m_IsMarked[id] = false;
         if (isMarked && m_Complex.IsAlive(id))
         {
-          moves += this->Visit(id);
+          moves += this->Visit(id) ? 1 : 0;
         }
       }
     }
@@ -67,51 +82,46 @@ private:
     }
   }
 
-  /** Carries out the moves of a tetrahedron as long as it is there. */
-  std::int64_t
+  /** Carries out one move at a tetrahedron, if there is one. */
+  bool
   Visit(TetrahedronId id)
+  {
+    return this->TryAtTetrahedron(id, [&](const EdgeRing & ring) {
+      // An edge is seen by all tetrahedra around it; the last of them that is marked visits it.
+      return std::none_of(
+        ring.begin(), ring.end(), [&](const RingStep & step) { return m_IsMarked[step.tetrahedron]; });
+    });
+  }
+
+  /** Tries the moves of the triangles of a tetrahedron, and those of the edges whose rings are asked for. */
+  template <typename TIsAskedFor>
+  bool
+  TryAtTetrahedron(TetrahedronId id, const TIsAskedFor & isAskedFor)
   {
     for (int i = 0; i < 4; ++i)
     {
       if (this->TryToSwap({ id, i }))
       {
-        return 1;
+        return true;
       }
     }
     for (int i = 0; i < 4; ++i)
     {
       for (int j = i + 1; j < 4; ++j)
       {
-        if (this->VisitEdge({ id, i, j }))
+        const EdgeRing ring = m_Complex.GetRing({ id, i, j });
+        if (isAskedFor(ring) && this->TryAtEdge({ id, i, j }, ring))
         {
-          return 1;
+          return true;
         }
       }
     }
-    return 0;
+    return false;
   }
 
   bool
-  VisitEdge(const LocalEdge & edge)
+  TryAtEdge(const LocalEdge & edge, const EdgeRing & ring)
   {
-    // An edge is seen by all tetrahedra around it; the last of them that is marked visits it. Mostly one of the two
-    // that come next is marked.
-    const auto & neighbors = m_Complex.GetTetrahedron(edge.tetrahedron).neighbors;
-    for (int k = 0; k < 4; ++k)
-    {
-      if (k != edge.from && k != edge.to && m_IsMarked[neighbors[k]])
-      {
-        return false;
-      }
-    }
-    const EdgeRing ring = m_Complex.GetRing(edge);
-    for (const RingStep & step : ring)
-    {
-      if (m_IsMarked[step.tetrahedron])
-      {
-        return false;
-      }
-    }
     if (ring.size() == 2)
     {
       return this->TryToApply(CloseEdge(m_Complex, edge));
@@ -129,7 +139,7 @@ private:
     other[triangle.opposite] = b;
     double cost =
       m_Energy.CostOfEdge(a, b) + m_Energy.CostWithoutTetrahedron(t) + m_Energy.CostWithoutTetrahedron(other);
-    if (cost - 3.0 * LargestGain >= NoDifference)
+    if (cost - 3.0 * LargestGain >= m_Limit)
     {
       return false;
     }
@@ -142,7 +152,7 @@ private:
         cost += m_Energy.CostOfTetrahedron(created);
       }
     }
-    return cost < NoDifference && this->TryToApply(SwapTriangle(m_Complex, triangle));
+    return cost < m_Limit && this->TryToApply(SwapTriangle(m_Complex, triangle));
   }
 
   bool
@@ -154,9 +164,9 @@ private:
     {
       cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
     }
-    // At the best all diagonals and all tetrahedra over the ring are wanted.
+    // At the best all diagonals and all tetrahedra over the ring are wanted, and a wanted one gains 1 at most.
     const auto n = static_cast<double>(ring.size());
-    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) * LargestGain >= NoDifference)
+    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= m_Limit)
     {
       return false;
     }
@@ -166,7 +176,7 @@ private:
     {
       cost += this->CostOfTriangle(ends, vertices, i, j, k);
     }
-    return !triangles.empty() && cost < NoDifference && this->TryToApply(RemoveEdge(m_Complex, edge, triangles));
+    return !triangles.empty() && cost < m_Limit && this->TryToApply(RemoveEdge(m_Complex, edge, triangles));
   }
 
   VertexPair
@@ -221,15 +231,20 @@ private:
     return LeastCostTriangulation(n, cost);
   }
 
-  /** The best split of an edge, if it lowers the energy. */
+  /** The splits of an edge that are worth it, the best first. */
   bool
   TryToSplit(const EdgeRing & ring)
   {
-    const VertexPair           ends = this->EndsOf(ring);
-    const auto                 vertices = m_Complex.GetRingVertices(ring);
-    const double               ofEdge = m_Energy.CostOfEdge(ends[0], ends[1]);
-    double                     least = NoDifference;
-    std::array<std::size_t, 2> best{ { 0, 0 } };
+    struct Split
+    {
+      std::size_t i;
+      std::size_t j;
+      double      difference;
+    };
+    const VertexPair         ends = this->EndsOf(ring);
+    const auto               vertices = m_Complex.GetRingVertices(ring);
+    const double             ofEdge = m_Energy.CostOfEdge(ends[0], ends[1]);
+    GeneralMove::List<Split> splits;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
@@ -239,52 +254,90 @@ private:
           continue;
         }
         const double ofEdges = ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]);
-        if (ofEdges - 2.0 * LargestGain >= NoDifference ||
-            ofEdges + 2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >=
-              NoDifference)
+        if (ofEdges - 2.0 * LargestGain >= m_Limit ||
+            ofEdges + 2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >= m_Limit)
         {
           continue;
         }
-        const double difference = m_Energy.Difference(m_Complex, SplitEdge(m_Complex, ring, i, j).move);
-        if (difference < least)
-        {
-          least = difference;
-          best = { { i, j } };
-        }
+        splits.push_back({ i, j, m_Energy.Difference(m_Complex, SplitEdge(m_Complex, ring, i, j).move) });
       }
     }
-    return least < NoDifference && this->TryToApply(SplitEdge(m_Complex, ring, best[0], best[1]));
+    std::stable_sort(
+      splits.begin(), splits.end(), [](const Split & a, const Split & b) { return a.difference < b.difference; });
+    return std::any_of(splits.begin(), splits.end(), [&](const Split & split) {
+      return split.difference < m_Limit && this->TryToApply(SplitEdge(m_Complex, ring, split.i, split.j));
+    });
   }
 
   bool
   TryToApply(const MoveProposal & proposal)
   {
-    if (!proposal || m_Energy.Difference(m_Complex, proposal.move) >= NoDifference)
+    const double difference = proposal ? m_Energy.Difference(m_Complex, proposal.move) : m_Limit;
+    if (difference >= m_Limit)
     {
       return false;
     }
-    m_Energy.Account(m_Complex, proposal.move);
-    const GeneralMove inverse = m_Complex.Apply(proposal.move);
-    for (const TetrahedronId id : inverse.removed)
+    const GeneralMove inverse = this->Apply(proposal.move);
+    const auto        touched = this->FindTouched(inverse);
+    if (difference >= NoDifference && !this->TryToLower(touched))
+    {
+      this->Apply(inverse);
+      return false;
+    }
+    for (const TetrahedronId id : touched)
     {
       this->MarkWithNeighbors(id);
-    }
-    for (const GeneralMove::Gluing & gluing : inverse.gluings)
-    {
-      for (const Side & side : { gluing.a, gluing.b })
-      {
-        if (!GeneralMove::IsCreated(side.tetrahedron))
-        {
-          this->MarkWithNeighbors(side.tetrahedron);
-        }
-      }
     }
     return true;
   }
 
+  /** Tries all that lowers the energy at some tetrahedra. */
+  bool
+  TryToLower(const std::vector<TetrahedronId> & tetrahedra)
+  {
+    const double limit = std::exchange(m_Limit, NoDifference);
+    const bool   isLowered = std::any_of(tetrahedra.begin(), tetrahedra.end(), [&](TetrahedronId id) {
+      return this->TryAtTetrahedron(id, [](const EdgeRing &) { return true; });
+    });
+    m_Limit = limit;
+    return isLowered;
+  }
+
+  /** Returns the inverse. */
+  GeneralMove
+  Apply(const GeneralMove & move)
+  {
+    m_Energy.Account(m_Complex, move);
+    return m_Complex.Apply(move);
+  }
+
+  /** What a move has made, and what it has glued to that. */
+  static std::vector<TetrahedronId>
+  FindTouched(const GeneralMove & inverse)
+  {
+    std::vector<TetrahedronId> touched(inverse.removed.begin(), inverse.removed.end());
+    for (const GeneralMove::Gluing & gluing : inverse.gluings)
+    {
+      for (const Side & side : { gluing.a, gluing.b })
+      {
+        const bool isKnown = std::find(touched.begin(), touched.end(), side.tetrahedron) != touched.end();
+        if (!GeneralMove::IsCreated(side.tetrahedron) && !isKnown)
+        {
+          touched.push_back(side.tetrahedron);
+        }
+      }
+    }
+    return touched;
+  }
+
+  /** Of a tetrahedron that a second move has removed nothing is left to mark. */
   void
   MarkWithNeighbors(TetrahedronId id)
   {
+    if (!m_Complex.IsAlive(id))
+    {
+      return;
+    }
     this->Mark(id);
     for (const TetrahedronId neighbor : m_Complex.GetTetrahedron(id).neighbors)
     {
@@ -292,8 +345,10 @@ private:
     }
   }
 
-  GeneralComplex &           m_Complex;
-  PlaceEnergy &              m_Energy;
+  GeneralComplex & m_Complex;
+  PlaceEnergy &    m_Energy;
+  /** What the difference of a move must be less than. */
+  double                     m_Limit = NoDifference;
   std::vector<TetrahedronId> m_Marked;
   std::vector<bool>          m_IsMarked;
 };
@@ -319,10 +374,11 @@ Descend(GeneralComplex & complex, const TissuePlaces & places, const PlacePrefer
   std::int64_t moves = 0;
   do
   {
-    moves = descent.Sweep();
+    moves = descent.Sweep(Admission::Lowering);
     result.numberOfMoves += moves;
     execution.Report(0.5);
   } while (moves > static_cast<std::int64_t>(complex.NumberOfTetrahedra() / 100));
+  result.numberOfMoves += descent.Sweep(Admission::Opening);
   execution.Report(1.0);
   result.energyAfter = energy.Total();
   return result;

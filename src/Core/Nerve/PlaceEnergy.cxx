@@ -101,6 +101,7 @@ PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & p
                          const GeneralComplex & complex, const std::vector<JunctionVote> & votes)
   : m_WallWeight(preferences.wallWeight)
   , m_LeastVote(preferences.leastVote)
+  , m_RepeatedCorner(preferences.repeatedCorner)
   , m_HasVotes(!votes.empty())
 {
   VertexPair last{ { -1, -1 } };

@@ -23,6 +23,9 @@ struct PlacePreferences
   std::int64_t minimumFaces = 10;
   /** The share of the votes, where there are votes on corners, from which on a corner is better than none. */
   double leastVote = 0.7;
+  /** What a corner of four cells too many or too few costs where the four do meet and the complex has a corner of
+   * theirs: only the number is wrong then, not which cells meet. */
+  double repeatedCorner = 1.0;
 
   /** Which cells touch is right before all else. */
   static PlacePreferences
@@ -32,11 +35,14 @@ struct PlacePreferences
   }
 
   /** Which four cells meet is right before all else. The image asks for corners of cells that do not all touch, and
-   * each two of them need a false wall: below a weight of 1 they are worth it, whatever the weight, above 1 never. */
+   * each two of them need a false wall: below a weight of 1 they are worth it, whatever the weight, above 1 never.
+   * Likewise one more group of four that meets is worth a corner too many of another group that does, for any weight
+   * of the latter below 1. But two walls and a corner too many must cost more than 1 together: else every group that
+   * is missing is put between two copies of a wall, as often as not where it means nothing. */
   static PlacePreferences
   JunctionsFirst()
   {
-    return { 0.5, 1, 0.7 };
+    return { 0.5, 1, 0.7, 0.75 };
   }
 
   /** For votes, which know corners better than an image that is an estimate itself knows walls. Corners are asked for
@@ -122,7 +128,12 @@ private:
   double
   EnergyOf(const TupleCounts<4>::Entry & corner, std::int32_t number) const
   {
-    return m_HasVotes ? m_LeastVote * number - (number > 0 ? corner.share : 0.0F) : std::abs(number - corner.wanted);
+    if (m_HasVotes)
+    {
+      return m_LeastVote * number - (number > 0 ? corner.share : 0.0F);
+    }
+    const double repeated = m_RepeatedCorner * std::abs(number - corner.wanted);
+    return corner.wanted == 0 ? number : number > 0 ? repeated : repeated + 1.0 - m_RepeatedCorner;
   }
 
   template <typename TEntry>
@@ -134,6 +145,7 @@ private:
 
   double         m_WallWeight;
   double         m_LeastVote;
+  double         m_RepeatedCorner;
   bool           m_HasVotes;
   TupleCounts<2> m_Walls;
   TupleCounts<4> m_Corners;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -123,6 +124,21 @@ RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size
   }
 }
 
+/** Names the cells with places that are too sharp to compute on. */
+void
+RemarkSharpPlaces(const TissueReconstruction & result, std::vector<CellRemark> & remarks)
+{
+  std::map<VertexId, int> placesOf;
+  for (const SharpPlace & place : result.fitting.sharpPlaces)
+  {
+    ++placesOf[place.cell != ExteriorVertex ? place.cell : result.walls.walls[place.wall].cells[0]];
+  }
+  for (const auto & [cell, count] : placesOf)
+  {
+    remarks.push_back({ cell, Remark::Sharp, static_cast<double>(count) });
+  }
+}
+
 /** All remarks on the result, by cell; of each cell first those that follow from image and complex, then those of the
  * way to the complex, then those on the walls. */
 std::vector<CellRemark>
@@ -136,6 +152,7 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
     RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
   }
   RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
+  RemarkSharpPlaces(result, remarks);
   std::stable_sort(
     remarks.begin(), remarks.end(), [](const CellRemark & a, const CellRemark & b) { return a.cell < b.cell; });
   return remarks;

@@ -76,6 +76,24 @@ RandomProposal(const GeneralComplex & complex, Random & random)
          : kind == 1 ? SplitEdge(complex, ring, 0, 1)
                      : CloseEdge(complex, { id, 0, 1 });
 }
+
+/** Whether the swap of a triangle of what a move has made lowers the energy. */
+bool
+IsLoweredBySwap(const GeneralComplex & complex, const PlaceEnergy & energy, const GeneralMove & inverse)
+{
+  for (const TetrahedronId id : inverse.removed)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const MoveProposal swap = SwapTriangle(complex, { id, i });
+      if (swap && energy.Difference(complex, swap.move) < -1e-9)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 } // namespace
 
 TEST(TupleCounts, KeepWhatIsPutInWhileTheyGrow)
@@ -106,15 +124,48 @@ TEST(PlaceEnergy, CountsLargeWallsAndTheLargestOfEachTwoCells)
   EXPECT_EQ(energy.Total(), 2.0 * 3);
 }
 
+TEST(PlaceEnergy, FirstCornerOfFourCellsCountsMoreThanFurtherOnes)
+{
+  const auto                preferences = PlacePreferences::JunctionsFirst();
+  const double              repeated = preferences.repeatedCorner;
+  constexpr VertexQuadruple cells{ { 0, 1, 2, 3 } };
+  TissuePlaces              places;
+  places.corners = { { cells, 1, {} } };
+  EXPECT_DOUBLE_EQ(PlaceEnergy(places, preferences, GeneralComplex(5)).CostOfTetrahedron(cells), -1.0);
+  const GeneralComplex two = FourCells(5);
+  EXPECT_DOUBLE_EQ(PlaceEnergy(places, preferences, two).CostOfTetrahedron(cells), repeated) << "one is wanted";
+  EXPECT_DOUBLE_EQ(PlaceEnergy(places, preferences, two).CostWithoutTetrahedron(cells), -repeated);
+  EXPECT_DOUBLE_EQ(PlaceEnergy(places, preferences, two).CostOfTetrahedron({ { 0, 1, 2, 4 } }), 1.0) << "do not meet";
+  EXPECT_DOUBLE_EQ(PlaceEnergy({}, preferences, two).CostOfTetrahedron(cells), 1.0) << "do not meet, and are there";
+  places.corners = { 3, { cells, 1, {} } };
+  EXPECT_DOUBLE_EQ(PlaceEnergy(places, preferences, two).CostOfTetrahedron(cells), -repeated) << "three are wanted";
+}
+
+TEST(PlacePreferences, NoPreferencePaysForCopiesOfAWall)
+{
+  // A missing group of four between two copies of a wall: two walls too many, and its second corner.
+  for (const auto & preferences : { PlacePreferences::WallsFirst(), PlacePreferences::JunctionsFirst() })
+  {
+    EXPECT_GT(2.0 * preferences.wallWeight + preferences.repeatedCorner, 1.0);
+  }
+}
+
 TEST(PlaceEnergy, DifferenceIsThatOfTheTotals)
 {
   const LabelVolume volume = Noise({ { 5, 5, 5 } }, 9, 3);
   const auto        places = PlacesOf(volume);
   Random            random(1);
-  for (const auto & votes : { std::vector<JunctionVote>(), RandomVotes(places, random) })
+  struct Case
+  {
+    PlacePreferences          preferences;
+    std::vector<JunctionVote> votes;
+  };
+  for (const auto & [preferences, votes] : { Case{ PlacePreferences::WallsFirst(), {} },
+                                             Case{ PlacePreferences::JunctionsFirst(), {} },
+                                             Case{ PlacePreferences::ByVotes(), RandomVotes(places, random) } })
   {
     GeneralComplex complex = NerveOf(volume).complex;
-    PlaceEnergy    energy(places, PlacePreferences::WallsFirst(), complex, votes);
+    PlaceEnergy    energy(places, preferences, complex, votes);
     int            legal = 0;
     for (int i = 0; i < 2000; ++i)
     {
@@ -130,7 +181,7 @@ TEST(PlaceEnergy, DifferenceIsThatOfTheTotals)
       }
     }
     EXPECT_GT(legal, 200);
-    EXPECT_NEAR(energy.Total(), PlaceEnergy(places, PlacePreferences::WallsFirst(), complex, votes).Total(), 1e-9);
+    EXPECT_NEAR(energy.Total(), PlaceEnergy(places, preferences, complex, votes).Total(), 1e-9);
   }
 }
 
@@ -175,6 +226,36 @@ TEST(PlaceDescent, FindsBackFromNearlyEachMove)
   }
   EXPECT_GT(moves, 100);
   EXPECT_GT(found, 0.98 * moves) << "few are caught on the way";
+}
+
+TEST(PlaceDescent, LeavesNoMoveThatCostsNothingAndOpensTheWayToABetterOne)
+{
+  int free = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const LabelVolume volume = Noise({ { 5, 5, 5 } }, static_cast<VertexId>(6 + seed), seed);
+    const auto        places = PlacesOf(volume);
+    const auto        preferences = seed % 2 ? PlacePreferences::WallsFirst() : PlacePreferences::JunctionsFirst();
+    GeneralComplex    complex = NerveOf(volume).complex;
+    Descend(complex, places, preferences);
+    PlaceEnergy energy(places, preferences, complex);
+    Random      random(seed);
+    for (int i = 0; i < 5000; ++i)
+    {
+      const MoveProposal first = RandomProposal(complex, random);
+      if (!first || std::abs(energy.Difference(complex, first.move)) > 1e-9)
+      {
+        continue;
+      }
+      ++free;
+      energy.Account(complex, first.move);
+      const GeneralMove inverse = complex.Apply(first.move);
+      EXPECT_FALSE(IsLoweredBySwap(complex, energy, inverse));
+      energy.Account(complex, inverse);
+      complex.Apply(inverse);
+    }
+  }
+  EXPECT_GT(free, 0) << "nothing was tried";
 }
 
 TEST(PlaceDescent, FollowsVotesAgainstTheImage)
