@@ -10,75 +10,28 @@
 
 namespace tissue
 {
-namespace
+bool
+IsCrowded(const BlockVoxels & voxels)
 {
-/** The rows of voxels that the blocks of one row have in common, with what is outside of the image. */
-class BlockRow
-{
-public:
-  BlockRow(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t y, std::int32_t z)
-    : m_Size(volume.size[0])
-    , m_Y(y)
-    , m_Z(z)
+  std::array<VertexId, 3> found{ { voxels[0], voxels[0], voxels[0] } };
+  int                     count = 1;
+  for (const VertexId v : voxels)
   {
-    for (int i = 0; i < 4; ++i)
+    if (v == found[0] || v == found[1] || v == found[2])
     {
-      const std::int32_t rowY = y + i % 2;
-      const std::int32_t rowZ = z + i / 2;
-      const bool         isInside = rowY >= 0 && rowZ >= 0 && rowY < volume.size[1] && rowZ < volume.size[2];
-      m_Rows[i] = isInside
-                    ? volume.vertices.data() + (static_cast<std::size_t>(rowZ) * volume.size[1] + rowY) * volume.size[0]
-                    : outside.data();
+      continue;
     }
-  }
-
-  void
-  Append(std::vector<CrowdedBlock> & blocks) const
-  {
-    std::array<VertexId, 4> left = Outside();
-    bool                    isLeftUniform = true;
-    for (std::int32_t x = -1; x < m_Size; ++x)
+    if (count == 3)
     {
-      const bool                    isLast = x + 1 == m_Size;
-      const std::array<VertexId, 4> right = isLast ? Outside() : this->Column(x + 1);
-      const bool isRightUniform = right[0] == right[1] && right[0] == right[2] && right[0] == right[3];
-      // Two columns of one cell each, as nearly everywhere, hold two cells at most.
-      if (!isLeftUniform || !isRightUniform)
-      {
-        const CrowdedBlock block{ { { x, m_Y, m_Z } },
-                                  { { left[0], right[0], left[1], right[1], left[2], right[2], left[3], right[3] } } };
-        if (DifferentCells(block.cells).count >= 4)
-        {
-          blocks.push_back(block);
-        }
-      }
-      left = right;
-      isLeftUniform = isRightUniform;
+      return true;
     }
+    found[count++] = v;
   }
-
-private:
-  static std::array<VertexId, 4>
-  Outside()
-  {
-    return { { ExteriorVertex, ExteriorVertex, ExteriorVertex, ExteriorVertex } };
-  }
-
-  std::array<VertexId, 4>
-  Column(std::int32_t x) const
-  {
-    return { { m_Rows[0][x], m_Rows[1][x], m_Rows[2][x], m_Rows[3][x] } };
-  }
-
-  std::array<const VertexId *, 4> m_Rows;
-  std::int32_t                    m_Size;
-  std::int32_t                    m_Y;
-  std::int32_t                    m_Z;
-};
-} // namespace
+  return false;
+}
 
 BlockCells
-DifferentCells(const std::array<VertexId, 8> & voxels)
+DifferentCells(const BlockVoxels & voxels)
 {
   BlockCells different{ {}, 0 };
   for (const VertexId v : voxels)
@@ -109,7 +62,13 @@ FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution)
   execution.For(ofPlane.size(), [&](std::size_t plane) {
     for (std::int32_t y = -1; y < volume.size[1]; ++y)
     {
-      BlockRow(volume, outside, y, static_cast<std::int32_t>(plane) - 1).Append(ofPlane[plane]);
+      const auto z = static_cast<std::int32_t>(plane) - 1;
+      BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t x, const BlockVoxels & voxels) {
+        if (IsCrowded(voxels))
+        {
+          ofPlane[plane].push_back({ { { x, y, z } }, voxels });
+        }
+      });
     }
   });
   std::vector<CrowdedBlock> blocks;

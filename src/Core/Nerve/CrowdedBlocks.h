@@ -7,9 +7,8 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
-#include "Nerve/KuhnSimplex.h"
+#include "Nerve/BlockRow.h"
 #include "TissueTessellationCore/Common/Execution.h"
-#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <vector>
 
@@ -19,10 +18,13 @@ namespace tissue
 struct CrowdedBlock
 {
   /** The block's first voxel, -1 in front of the image. */
-  VoxelIndex base;
-  /** The vertices of its voxels, the first axis fastest. */
-  std::array<VertexId, 8> cells;
+  VoxelIndex  base;
+  BlockVoxels cells;
 };
+
+/** Whether a block holds four different cells or more. */
+bool
+IsCrowded(const BlockVoxels & voxels);
 
 /** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
  * Planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
@@ -37,7 +39,7 @@ struct BlockCells
 };
 
 BlockCells
-DifferentCells(const std::array<VertexId, 8> & voxels);
+DifferentCells(const BlockVoxels & voxels);
 } // namespace tissue
 
 #endif

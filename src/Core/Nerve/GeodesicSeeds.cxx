@@ -7,6 +7,7 @@
 #include "Nerve/GeodesicSeeds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -42,6 +43,13 @@ GeodesicSeeds::GeodesicSeeds(const LabelVolume & volume, std::vector<VoxelIndex>
   for (std::size_t s = 0; s < m_Lengths.size(); ++s)
   {
     m_Lengths[s] = Distance(PlaceOf(volume, { { 0, 0, 0 } }), PlaceOf(volume, KuhnSteps()[s]));
+  }
+  // Lengths in whole numbers of a power of two add up without rounding. With it a voxel might go to a later seed while
+  // one behind it stays, so that the part of a seed would be several pieces.
+  const double unit = std::ldexp(1.0, std::ilogb(*std::max_element(m_Lengths.begin(), m_Lengths.end())) - 20);
+  for (double & length : m_Lengths)
+  {
+    length = unit * std::round(length / unit);
   }
   m_IndexOf.reserve(m_Region.size());
   for (std::size_t i = 0; i < m_Region.size(); ++i)

@@ -6,7 +6,9 @@
  *=========================================================================*/
 #include "Nerve/HandleCutting.h"
 
+#include "Nerve/BlockRow.h"
 #include "Nerve/KuhnWall.h"
+#include "Nerve/VoxelBox.h"
 
 #include <algorithm>
 #include <bitset>
@@ -52,6 +54,18 @@ EulerTable()
     return table;
   }();
   return eulerTable;
+}
+
+/** What the simplices that a voxel is the first of add to the Euler characteristic of its vertex. */
+std::int8_t
+EulerTerm(const BlockVoxels & voxels)
+{
+  unsigned set = 0;
+  for (unsigned axes = 1; axes < 8; ++axes)
+  {
+    set |= voxels[axes] == voxels[0] ? 1u << (axes - 1) : 0u;
+  }
+  return EulerTable()[set];
 }
 
 /** Of each neighbour of a voxel those that are neighbours of it as well, as bits. */
@@ -104,36 +118,42 @@ SimpleSets()
   return sets;
 }
 
-/** \brief One piece of voxels, in a box of its own with two voxels around it, in which a voxel is a place. */
+std::size_t
+OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
+{
+  return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
+}
+
+/** \brief The voxels of a cell, in a box of their own with two voxels around it, in which a voxel is a place. */
 class CellShape
 {
 public:
   using Place = std::ptrdiff_t;
 
-  CellShape(const LabelVolume & volume, const VoxelIndex & start)
+  /** The voxels of a vertex, all of them in a box. */
+  CellShape(const LabelVolume & volume, VertexId cell, const VoxelBox & box)
   {
-    const std::vector<VoxelIndex> voxels = Flood(volume, start);
-    m_First = start;
-    VoxelIndex last = start;
-    for (const VoxelIndex & p : voxels)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        m_First[axis] = std::min(m_First[axis], p[axis]);
-        last[axis] = std::max(last[axis], p[axis]);
-      }
-    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      m_First[axis] -= 2;
-      m_Size[axis] = last[axis] + 3 - m_First[axis];
+      m_First[axis] = box.least[axis] - 2;
+      m_Size[axis] = box.most[axis] + 3 - m_First[axis];
     }
     std::transform(KuhnSteps().begin(), KuhnSteps().end(), m_Steps.begin(), [&](const auto & s) { return PlaceOf(s); });
     m_IsInCell.assign(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2], false);
-    for (const VoxelIndex & p : voxels)
+    for (std::int32_t z = box.least[2]; z <= box.most[2]; ++z)
     {
-      m_Voxels.push_back(this->PlaceOf({ { p[0] - m_First[0], p[1] - m_First[1], p[2] - m_First[2] } }));
-      m_IsInCell[m_Voxels.back()] = true;
+      for (std::int32_t y = box.least[1]; y <= box.most[1]; ++y)
+      {
+        const VertexId * row = volume.vertices.data() + OffsetOf(volume, { { 0, y, z } });
+        for (std::int32_t x = box.least[0]; x <= box.most[0]; ++x)
+        {
+          if (row[x] == cell)
+          {
+            m_Voxels.push_back(this->PlaceOf({ { x - m_First[0], y - m_First[1], z - m_First[2] } }));
+            m_IsInCell[m_Voxels.back()] = true;
+          }
+        }
+      }
     }
     this->FindCavities();
   }
@@ -145,14 +165,9 @@ public:
   }
 
   std::int32_t
-  NumberOfHandles() const
+  NumberOfCavities() const
   {
-    std::int32_t characteristic = 0;
-    for (const Place p : m_Voxels)
-    {
-      characteristic += EulerTable()[this->SetOf(p, m_IsInCell) & 127];
-    }
-    return 1 + m_NumberOfCavities - characteristic;
+    return m_NumberOfCavities;
   }
 
   /** The voxels across the handles, in ascending order. */
@@ -173,27 +188,6 @@ public:
   }
 
 private:
-  static std::vector<VoxelIndex>
-  Flood(const LabelVolume & volume, const VoxelIndex & start)
-  {
-    const VertexId          cell = volume.At(start[0], start[1], start[2]);
-    KeySet                  found;
-    std::vector<VoxelIndex> voxels{ start };
-    found.Insert(KeyOfVoxel(volume, start));
-    for (std::size_t i = 0; i < voxels.size(); ++i)
-    {
-      for (const VoxelIndex & step : KuhnSteps())
-      {
-        const VoxelIndex q = voxels[i] + step;
-        if (volume.At(q[0], q[1], q[2]) == cell && found.Insert(KeyOfVoxel(volume, q)))
-        {
-          voxels.push_back(q);
-        }
-      }
-    }
-    return voxels;
-  }
-
   Place
   PlaceOf(const VoxelIndex & inBox) const
   {
@@ -246,26 +240,27 @@ private:
     std::vector<bool>  isAround(m_IsInCell.size(), false);
     std::vector<Place> open;
     // The cell is two places from the box's border: there all are around it, the last ones without a look beyond.
-    for (Place p = 0; p < static_cast<Place>(m_IsInCell.size()); ++p)
+    Place p = 0;
+    for (std::int32_t z = 0; z < m_Size[2]; ++z)
     {
-      const VoxelIndex inBox{ { static_cast<std::int32_t>(p % m_Size[0]),
-                                static_cast<std::int32_t>(p / m_Size[0] % m_Size[1]),
-                                static_cast<std::int32_t>(p / m_Size[0] / m_Size[1]) } };
-      std::int32_t     toBorder = m_Size[0];
-      for (int axis = 0; axis < 3; ++axis)
+      for (std::int32_t y = 0; y < m_Size[1]; ++y)
       {
-        toBorder = std::min({ toBorder, inBox[axis], m_Size[axis] - 1 - inBox[axis] });
-      }
-      isAround[p] = toBorder < 2;
-      if (toBorder == 1)
-      {
-        open.push_back(p);
+        const std::int32_t toBorder = std::min({ y, m_Size[1] - 1 - y, z, m_Size[2] - 1 - z });
+        for (std::int32_t x = 0; x < m_Size[0]; ++x, ++p)
+        {
+          const std::int32_t least = std::min({ toBorder, x, m_Size[0] - 1 - x });
+          isAround[p] = least < 2;
+          if (least == 1)
+          {
+            open.push_back(p);
+          }
+        }
       }
     }
     this->FloodAround(open, isAround);
     m_IsFilled.assign(isAround.size(), false);
     std::transform(isAround.begin(), isAround.end(), m_IsFilled.begin(), [](bool around) { return !around; });
-    for (Place p = 0; p < static_cast<Place>(m_IsFilled.size()); ++p)
+    for (p = 0; p < static_cast<Place>(m_IsFilled.size()); ++p)
     {
       if (m_IsFilled[p] && !m_IsInCell[p] && !isAround[p])
       {
@@ -317,12 +312,14 @@ private:
     using Candidate = std::pair<std::int32_t, Place>; // depth, and of the same depth the first
     std::priority_queue<Candidate> candidates;
     std::vector<bool>              ball(m_IsFilled.size(), false);
+    std::vector<bool>              isCandidate(m_IsFilled.size(), false);
     const auto                     add = [&](Place p) {
       ball[p] = true;
       for (const Place step : m_Steps)
       {
-        if (m_IsFilled[p + step] && !ball[p + step])
+        if (m_IsFilled[p + step] && !ball[p + step] && !isCandidate[p + step])
         {
+          isCandidate[p + step] = true;
           candidates.emplace(depths[p + step], -(p + step));
         }
       }
@@ -332,7 +329,8 @@ private:
     {
       const Place p = -candidates.top().second;
       candidates.pop();
-      if (!ball[p] && SimpleSets()[this->SetOf(p, ball)])
+      isCandidate[p] = false; // a voxel that is refused comes again with the next one beside it
+      if (SimpleSets()[this->SetOf(p, ball)])
       {
         add(p);
       }
@@ -343,19 +341,13 @@ private:
   VoxelIndex            m_First;
   VoxelIndex            m_Size;
   std::array<Place, 14> m_Steps;
-  /** In the order of the flood. */
+  /** Ascending. */
   std::vector<Place> m_Voxels;
   std::vector<bool>  m_IsInCell;
   /** With its cavities. */
   std::vector<bool> m_IsFilled;
   std::int32_t      m_NumberOfCavities = 0;
 };
-
-std::size_t
-OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
-{
-  return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
-}
 
 /** The connected parts of some voxels in ascending order. */
 std::vector<std::vector<VoxelIndex>>
@@ -407,26 +399,29 @@ FindReceiver(const LabelVolume & volume, const std::vector<VoxelIndex> & part)
 class Cutting
 {
 public:
-  Cutting(LabelVolume & volume, VertexId numberOfVertices)
+  /** \param characteristics of the volume's vertices (FindEulerCharacteristics()). */
+  Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics)
     : m_Volume(volume)
-    , m_Starts(static_cast<std::size_t>(numberOfVertices), volume.vertices.size())
+    , m_Boxes(FindVoxelBoxes(volume, characteristics.size()))
+    , m_Characteristics(std::move(characteristics))
+  {}
+
+  /** As the volume is by now. */
+  const std::vector<std::int32_t> &
+  GetCharacteristics() const
   {
-    for (std::size_t i = volume.vertices.size(); i-- > 0;)
-    {
-      m_Starts[static_cast<std::size_t>(volume.vertices[i])] = i;
-    }
+    return m_Characteristics;
   }
 
-  /** The shape may have changed since the list was made: then there is nothing to do. */
   void
   Cut(VertexId cell)
   {
-    if (!this->HasVoxels(cell))
+    if (m_Boxes[static_cast<std::size_t>(cell)].IsEmpty() || m_Scaffolds.count(cell) != 0)
     {
       return;
     }
     const CellShape    shape = this->ShapeOf(cell);
-    const std::int32_t handles = shape.NumberOfHandles();
+    const std::int32_t handles = this->HandlesOf(cell, shape);
     if (handles <= 0)
     {
       return;
@@ -435,7 +430,11 @@ public:
     const std::vector<VoxelIndex> cut = shape.FindCut();
     const auto                    size = static_cast<std::int64_t>(cut.size());
     record.handlesLeft = handles;
-    if (size <= std::max(MinimumOfCut, shape.NumberOfVoxels() / ShareOfCut) && this->Give(cell, cut))
+    if (size > std::max(MinimumOfCut, shape.NumberOfVoxels() / ShareOfCut))
+    {
+      m_Scaffolds.insert(cell);
+    }
+    else if (this->Give(cell, cut))
     {
       record.handlesLeft = 0;
       record.numberOfVoxels += size;
@@ -450,34 +449,29 @@ public:
     {
       result.cells.push_back(entry.second);
     }
-    for (const std::size_t offset : m_Given)
+    for (const auto & entry : m_Given)
     {
-      result.ranges.push_back({ offset, offset + 1, m_Volume.vertices[offset] });
+      const VoxelChange & change = entry.second;
+      if (m_Volume.vertices[entry.first] != change.before)
+      {
+        result.changes.push_back(change);
+      }
     }
     return result;
   }
 
 private:
-  bool
-  HasVoxels(VertexId cell) const
-  {
-    return m_Starts[static_cast<std::size_t>(cell)] < m_Volume.vertices.size();
-  }
-
   CellShape
   ShapeOf(VertexId cell) const
   {
-    std::size_t offset = m_Starts[static_cast<std::size_t>(cell)];
-    while (m_Volume.vertices[offset] != cell)
-    {
-      ++offset; // its first voxels have been cut off
-    }
-    const auto row = static_cast<std::size_t>(m_Volume.size[0]);
-    const auto columns = static_cast<std::size_t>(m_Volume.size[1]);
-    return CellShape(m_Volume,
-                     { { static_cast<std::int32_t>(offset % row),
-                         static_cast<std::int32_t>(offset / row % columns),
-                         static_cast<std::int32_t>(offset / row / columns) } });
+    return CellShape(m_Volume, cell, m_Boxes[static_cast<std::size_t>(cell)]);
+  }
+
+  /** The cell is one piece. */
+  std::int32_t
+  HandlesOf(VertexId cell, const CellShape & shape) const
+  {
+    return 1 + shape.NumberOfCavities() - m_Characteristics[static_cast<std::size_t>(cell)];
   }
 
   std::int32_t
@@ -486,7 +480,7 @@ private:
     std::int32_t sum = 0;
     for (const VertexId cell : cells)
     {
-      sum += cell == ExteriorVertex ? 0 : this->ShapeOf(cell).NumberOfHandles();
+      sum += cell == ExteriorVertex ? 0 : this->HandlesOf(cell, this->ShapeOf(cell));
     }
     return sum;
   }
@@ -495,105 +489,134 @@ private:
   bool
   Give(VertexId cell, const std::vector<VoxelIndex> & cut)
   {
-    std::set<VertexId>                            concerned{ cell };
-    std::vector<std::pair<std::size_t, VertexId>> given;
+    std::set<VertexId>      concerned{ cell };
+    std::vector<GivenVoxel> given;
     for (const std::vector<VoxelIndex> & part : FindParts(cut))
     {
       const VertexId receiver = FindReceiver(m_Volume, part);
       concerned.insert(receiver);
       for (const VoxelIndex & p : part)
       {
-        given.emplace_back(OffsetOf(m_Volume, p), receiver);
+        given.push_back({ p, receiver });
       }
     }
     const std::int32_t before = this->HandlesOf(concerned);
-    for (const auto & [offset, receiver] : given)
-    {
-      m_Volume.vertices[offset] = receiver;
-    }
+    this->Exchange(given);
     if (this->HandlesOf(concerned) >= before)
     {
-      for (const auto & entry : given)
-      {
-        m_Volume.vertices[entry.first] = cell;
-      }
+      this->Exchange(given);
       return false;
     }
-    for (const auto & [offset, receiver] : given)
+    for (const GivenVoxel & voxel : given)
     {
-      m_Given.insert(offset);
-      auto & start = m_Starts[static_cast<std::size_t>(receiver)];
-      start = std::min(start, offset);
+      // A voxel that is given again keeps its first vertex here.
+      m_Given.emplace(OffsetOf(m_Volume, voxel.place), VoxelChange{ voxel.place, cell });
     }
     return true;
   }
 
-  LabelVolume &                 m_Volume;
-  std::vector<std::size_t>      m_Starts;
-  std::map<VertexId, HandleCut> m_Records;
-  std::set<std::size_t>         m_Given;
+  struct GivenVoxel
+  {
+    VoxelIndex place;
+    VertexId   vertex;
+  };
+
+  /** Gives the voxels the vertices of the list, and the list those that they had. */
+  void
+  Exchange(std::vector<GivenVoxel> & voxels)
+  {
+    std::set<VoxelIndex> bases;
+    for (const GivenVoxel & voxel : voxels)
+    {
+      bases.insert(voxel.place);
+      for (std::size_t descending = 7; descending < KuhnSteps().size(); ++descending)
+      {
+        bases.insert(voxel.place + KuhnSteps()[descending]);
+      }
+    }
+    this->AddTerms(bases, -1);
+    for (GivenVoxel & voxel : voxels)
+    {
+      m_Boxes[static_cast<std::size_t>(voxel.vertex)].Add(voxel.place);
+      m_Scaffolds.erase(voxel.vertex);
+      std::swap(m_Volume.vertices[OffsetOf(m_Volume, voxel.place)], voxel.vertex);
+    }
+    this->AddTerms(bases, 1);
+  }
+
+  void
+  AddTerms(const std::set<VoxelIndex> & bases, std::int32_t factor)
+  {
+    for (const VoxelIndex & p : bases)
+    {
+      BlockVoxels voxels;
+      for (int set = 0; set < 8; ++set)
+      {
+        voxels[set] = m_Volume.At(p[0] + (set & 1), p[1] + (set >> 1 & 1), p[2] + (set >> 2));
+      }
+      m_Characteristics[static_cast<std::size_t>(voxels[0])] +=
+        voxels[0] != ExteriorVertex ? factor * EulerTerm(voxels) : 0;
+    }
+  }
+
+  LabelVolume & m_Volume;
+  /** What was taken from a cell may be within its box still. */
+  std::vector<VoxelBox>              m_Boxes;
+  std::vector<std::int32_t>          m_Characteristics;
+  std::map<VertexId, HandleCut>      m_Records;
+  std::map<std::size_t, VoxelChange> m_Given;
+  /** Cells that need a cut that is too large, as they are. */
+  std::set<VertexId> m_Scaffolds;
 };
+
+/** What the blocks of a plane add to the Euler characteristics, by vertex. */
+std::map<VertexId, std::int32_t>
+EulerTermsOfPlane(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t z)
+{
+  std::map<VertexId, std::int32_t> terms;
+  for (std::int32_t y = 0; y < volume.size[1]; ++y)
+  {
+    BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t, const BlockVoxels & voxels) {
+      const std::int8_t term = voxels[0] != ExteriorVertex ? EulerTerm(voxels) : 0;
+      if (term != 0)
+      {
+        terms[voxels[0]] += term;
+      }
+    });
+  }
+  return terms;
+}
 } // namespace
 
 std::vector<std::int32_t>
 FindEulerCharacteristics(const LabelVolume & volume, VertexId numberOfVertices, const Execution & execution)
 {
-  struct Term
-  {
-    VertexId    vertex;
-    std::int8_t value;
-  };
-  std::vector<std::vector<Term>> ofPlane(static_cast<std::size_t>(volume.size[2]));
+  const std::vector<VertexId>                   outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
+  std::vector<std::map<VertexId, std::int32_t>> ofPlane(static_cast<std::size_t>(volume.size[2]));
   execution.For(ofPlane.size(), [&](std::size_t plane) {
-    const auto z = static_cast<std::int32_t>(plane);
-    for (std::int32_t y = 0; y < volume.size[1]; ++y)
-    {
-      for (std::int32_t x = 0; x < volume.size[0]; ++x)
-      {
-        const VertexId vertex = volume.At(x, y, z);
-        unsigned       set = 0;
-        for (unsigned axes = 1; vertex != ExteriorVertex && axes < 8; ++axes)
-        {
-          const bool isIn = volume.At(x + (axes & 1), y + (axes >> 1 & 1), z + (axes >> 2)) == vertex;
-          set |= isIn ? 1u << (axes - 1) : 0u;
-        }
-        if (vertex != ExteriorVertex && EulerTable()[set] != 0)
-        {
-          ofPlane[plane].push_back({ vertex, EulerTable()[set] });
-        }
-      }
-    }
+    ofPlane[plane] = EulerTermsOfPlane(volume, outside, static_cast<std::int32_t>(plane));
   });
   std::vector<std::int32_t> characteristics(static_cast<std::size_t>(numberOfVertices), 0);
   for (const auto & terms : ofPlane)
   {
-    for (const Term & term : terms)
+    for (const auto & [vertex, term] : terms)
     {
-      characteristics[static_cast<std::size_t>(term.vertex)] += term.value;
+      characteristics[static_cast<std::size_t>(vertex)] += term;
     }
   }
   return characteristics;
 }
 
 HandleCuts
-CutHandles(LabelVolume & volume, VertexId numberOfVertices, const Execution & execution)
+CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics)
 {
-  std::vector<std::int32_t> characteristics = FindEulerCharacteristics(volume, numberOfVertices, execution);
-  const auto                isSimple = [](std::int32_t characteristic) { return characteristic == 1; };
-  if (std::all_of(characteristics.begin() + 1, characteristics.end(), isSimple))
-  {
-    return {};
-  }
-  Cutting cutting(volume, numberOfVertices);
+  Cutting cutting(volume, std::move(characteristics));
   for (int pass = 0; pass < MaximumNumberOfPasses; ++pass)
   {
-    if (pass > 0)
+    const std::vector<std::int32_t> ofPass = cutting.GetCharacteristics();
+    for (VertexId v = ExteriorVertex + 1; v < static_cast<VertexId>(ofPass.size()); ++v)
     {
-      characteristics = FindEulerCharacteristics(volume, numberOfVertices, execution);
-    }
-    for (VertexId v = ExteriorVertex + 1; v < numberOfVertices; ++v)
-    {
-      if (characteristics[static_cast<std::size_t>(v)] != 1)
+      if (ofPass[static_cast<std::size_t>(v)] != 1)
       {
         cutting.Cut(v);
       }

@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_HandleCutting_h
 #define TissueTessellationCore_HandleCutting_h
 
-#include "Nerve/KuhnFragments.h"
+#include "Nerve/PlaceUpdate.h"
 #include "TissueTessellationCore/Common/Execution.h"
 
 namespace tissue
@@ -26,8 +26,9 @@ struct HandleCut
 /** What cuts the handles of cells. */
 struct HandleCuts
 {
-  std::vector<HandleCut>  cells;
-  std::vector<VoxelRange> ranges;
+  std::vector<HandleCut> cells;
+  /** Of the volume, each voxel once, in raster order. */
+  std::vector<VoxelChange> changes;
 };
 
 /** \brief Finds the cells that have handles in the Kuhn subdivision of the grid, in which they would have no spheres
@@ -36,13 +37,15 @@ struct HandleCuts
  * Most handles of a segmentation are a matter of single voxels. A cell grows anew from its deepest voxel, the deepest
  * first, by voxels that leave it a ball (simple points: their neighbours in the ball are connected, and so are the
  * others); what is left cuts the handles. Each connected part of it goes to the vertex that it has most faces with. No
- * more than a twenty-fifth of a cell's voxels, or eight, are taken: what needs more, as a
- * scaffold does, is left as it is. Cavities in
- * cells stay, as do the handles of the exterior.
+ * more than a twenty-fifth of a cell's voxels, or eight, are taken: what needs more, as a scaffold does, is left as
+ * it is. Cavities in cells stay, as do the handles of the exterior. The image is read once; beyond that the cost is
+ * that of the cells concerned.
  *
- * \param volume each of its vertices but the exterior is one piece (FindFragments()); it gets the cuts. */
+ * \param volume each of its vertices but the exterior is one piece (FindFragments()); it gets the cuts.
+ * \param characteristics of the volume's vertices, by FindEulerCharacteristics(); only where one is not 1 can there be
+ *        a handle. */
 HandleCuts
-CutHandles(LabelVolume & volume, VertexId numberOfVertices, const Execution & execution = Execution());
+CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics);
 
 /** The Euler characteristic of each vertex's region in the Kuhn subdivision, pieces - handles + cavities; 0 for the
  * exterior, which has no end. */

@@ -141,52 +141,44 @@ private:
   int                 m_Exit;
 };
 
-/** The other end of a line that leaves a corner, and the triangles in between. */
+/** The other end of a line that leaves a corner. */
 struct LineEnd
 {
   std::int32_t corner = 0;
   VertexId     fourth = 0;
-  std::int32_t numberOfSteps = 0;
 };
 
+/** A walk to the other end; the path is each place that it comes through. */
 LineEnd
-FollowLine(const LabelVolume & volume, const std::vector<Corner> & corners, std::size_t from, int i)
+FollowLine(const std::vector<Corner> & corners, LineWalk walk, std::vector<LineWalk> & path)
 {
-  LineWalk     walk(volume, corners[from].GetSimplex(), i);
-  std::int32_t steps = 1;
-  while (walk.Step())
+  do
   {
-    ++steps;
-  }
+    path.push_back(walk);
+  } while (walk.Step());
   const Corner end{ walk.GetSimplex().GetKey() };
   const auto   at = std::lower_bound(
     corners.begin(), corners.end(), end, [](const Corner & a, const Corner & b) { return a.Rank() < b.Rank(); });
-  return { static_cast<std::int32_t>(at - corners.begin()), walk.GetFourthLabel(), steps };
+  return { static_cast<std::int32_t>(at - corners.begin()), walk.GetFourthLabel() };
 }
 
-/** Walks the line once more, now that its length in steps is known. */
 ImageLine
-MeasureLine(const LabelVolume & volume, const Corner & corner, int i, std::int32_t numberOfSteps)
+MeasureLine(const LabelVolume & volume, const std::vector<LineWalk> & path)
 {
   // Six tetrahedra fill a cube, so this is two or three voxels: enough to smooth the zigzag of the path.
-  constexpr std::int32_t stride = 12;
-  LineWalk               walk(volume, corner.GetSimplex(), i);
-  Point                  last = volume.ToPhysical(walk.GetPlace());
-  ImageLine              line{ last, 0.0 };
-  for (std::int32_t step = 0; step < numberOfSteps; ++step)
+  constexpr std::size_t stride = 12;
+  Point                 last = volume.ToPhysical(path.front().GetPlace());
+  ImageLine             line{ volume.ToPhysical(path[path.size() / 2].GetPlace()), 0.0 };
+  const auto            goTo = [&](std::size_t step) {
+    const Point place = volume.ToPhysical(path[step].GetPlace());
+    line.length += Distance(last, place);
+    last = place;
+  };
+  for (std::size_t step = stride - 1; step + 1 < path.size(); step += stride)
   {
-    if (step == numberOfSteps / 2)
-    {
-      line.middle = volume.ToPhysical(walk.GetPlace());
-    }
-    if (step % stride == stride - 1 || step == numberOfSteps - 1)
-    {
-      const Point place = volume.ToPhysical(walk.GetPlace());
-      line.length += Distance(last, place);
-      last = place;
-    }
-    walk.Step();
+    goTo(step);
   }
+  goTo(path.size() - 1);
   return line;
 }
 
@@ -217,20 +209,12 @@ AddCorner(const LabelVolume & volume, const Corner & corner, ImageNerve & nerve)
   nerve.corners.push_back(volume.ToPhysical(0.25 * sum));
 }
 
-/** One line of the nerve, by the end that comes first. */
-struct LineStart
-{
-  std::size_t  corner;
-  int          i;
-  std::int32_t numberOfSteps;
-};
-
-/** Glues each line's ends, and gives the lines in the order of their first ends. */
-std::vector<LineStart>
+/** Glues each line's ends, the lines in the order of their first ends. */
+void
 GlueLines(const LabelVolume & volume, const std::vector<Corner> & corners, const std::vector<LineEnd> & ends,
           GeneralComplex & complex)
 {
-  std::vector<LineStart> starts;
+  LineId line = 0;
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
     const Labels labels = LabelsOf(volume, corners[c].GetSimplex());
@@ -243,28 +227,14 @@ GlueLines(const LabelVolume & volume, const std::vector<Corner> & corners, const
         const auto & other = complex.GetTetrahedron(end.corner).vertices;
         complex.Glue({ static_cast<TetrahedronId>(c), LocalIndex(t, labels[i]) },
                      { end.corner, LocalIndex(other, end.fourth) },
-                     static_cast<LineId>(starts.size()));
-        starts.push_back({ c, i, end.numberOfSteps });
+                     line++);
       }
     }
   }
-  return starts;
 }
 
-/** Corners or lines of one task: enough that handing it out costs nothing. */
+/** Corners of one task: enough that handing it out costs nothing. */
 constexpr std::size_t ChunkSize = 1024;
-
-template <typename TBody>
-void
-ForChunks(std::size_t count, const Execution & execution, const TBody & body)
-{
-  execution.For((count + ChunkSize - 1) / ChunkSize, [&](std::size_t chunk) {
-    for (std::size_t i = chunk * ChunkSize; i < std::min(count, (chunk + 1) * ChunkSize); ++i)
-    {
-      body(i);
-    }
-  });
-}
 } // namespace
 
 ImageNerve
@@ -277,19 +247,30 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
   {
     AddCorner(volume, corner, nerve);
   }
-  // Each line is followed from both of its ends: so the corners can be shared out.
-  std::vector<LineEnd> ends(4 * corners.size());
-  ForChunks(corners.size(), execution, [&](std::size_t c) {
-    for (int i = 0; i < 4; ++i)
+  // Each line is followed from both of its ends, so that the corners can be shared out; the first one measures it.
+  std::vector<LineEnd>                ends(4 * corners.size());
+  std::vector<std::vector<ImageLine>> lines((corners.size() + ChunkSize - 1) / ChunkSize);
+  execution.For(lines.size(), [&](std::size_t chunk) {
+    std::vector<LineWalk> path;
+    for (std::size_t c = chunk * ChunkSize; c < std::min(corners.size(), (chunk + 1) * ChunkSize); ++c)
     {
-      ends[4 * c + i] = FollowLine(volume, corners, c, i);
+      const KuhnSimplex simplex = corners[c].GetSimplex();
+      for (int i = 0; i < 4; ++i)
+      {
+        path.clear();
+        ends[4 * c + i] = FollowLine(corners, LineWalk(volume, simplex, i), path);
+        if (static_cast<std::size_t>(ends[4 * c + i].corner) > c)
+        {
+          lines[chunk].push_back(MeasureLine(volume, path));
+        }
+      }
     }
   });
-  const std::vector<LineStart> starts = GlueLines(volume, corners, ends, nerve.complex);
-  nerve.lines.resize(starts.size());
-  ForChunks(starts.size(), execution, [&](std::size_t l) {
-    nerve.lines[l] = MeasureLine(volume, corners[starts[l].corner], starts[l].i, starts[l].numberOfSteps);
-  });
+  GlueLines(volume, corners, ends, nerve.complex);
+  for (const std::vector<ImageLine> & ofChunk : lines)
+  {
+    nerve.lines.insert(nerve.lines.end(), ofChunk.begin(), ofChunk.end());
+  }
   return nerve;
 }
 } // namespace tissue

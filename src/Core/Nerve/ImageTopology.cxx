@@ -55,109 +55,200 @@ CellsWithFragments(const Fragments & fragments)
   return cellOf;
 }
 
-/** Puts the nerve of the divided image in the place of the image's, and the places of both. */
-void
-TakeDivision(const LabelDivision & division, ImageTopology & topology, const Execution & execution)
+/** \brief Reads an image: finds its fragments and handles, places and nerve, and divides what needs it. */
+class ImageReading
 {
-  const std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(division.volume, execution);
-  topology.places = { FindImageWalls(division.volume, execution), FindCornerPlaces(division.volume, blocks) };
-  topology.nerve = MakeImageNerve(division.volume, division.NumberOfVertices(), blocks, execution);
-  std::vector<VertexId> outside;
-  for (VertexId v = ExteriorVertex + 1; v < division.NumberOfVertices(); ++v)
-  {
-    if (division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
-    {
-      outside.push_back(v);
-    }
-  }
-  topology.nerve.complex.SetOutside(std::move(outside));
-}
+public:
+  ImageReading(const LabelVolume & volume, ImageTopology & topology, const Execution & execution)
+    : m_Volume(volume)
+    , m_Topology(topology)
+    , m_Execution(execution)
+  {}
 
-/** Divides what walls of the image need it, and what is around others, then the cells that are split all the same:
- * around several others. */
-void
-DivideWhereNeeded(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> around,
-                  ImageTopology & topology, const Execution & execution)
-{
-  if (Divide(division, std::move(faulty), std::move(around)))
+  void
+  Run(VertexId numberOfVertices, std::int64_t minimumFragmentVoxels)
   {
-    TakeDivision(division, topology, execution);
+    m_Topology.fragments = FindFragments(m_Volume, numberOfVertices, minimumFragmentVoxels);
+    if (!m_Topology.fragments.fragments.empty())
+    {
+      m_Topology.volume = m_Volume;
+      Relabel(m_Topology.volume, m_Topology.fragments.ofLarge);
+    }
+    m_Blocks = FindCrowdedBlocks(this->GetImage(), m_Execution);
+    m_Topology.places = { FindImageWalls(this->GetImage(), m_Execution), FindCornerPlaces(this->GetImage(), m_Blocks) };
+    m_Execution.Report(0.4);
+    this->TakeSmallFragments();
+    this->TakeHandles();
+    UpdateCrowdedBlocks(this->GetImage(), m_Changes, m_Blocks);
+    m_Topology.nerve = MakeImageNerve(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Blocks, m_Execution);
+    m_Execution.Report(0.6);
+    m_Division = LabelDivision({}, m_Topology.fragments.numberOfVertices);
+    this->DivideWhereNeeded();
+    this->NameCells();
+    m_Execution.Report(0.7);
   }
-  // Of a cell around others that is around others each pass divides one more.
-  constexpr int maximumNumberOfPasses = 3;
-  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+
+  /** Divides cells, ascending, whatever their walls are, and makes the nerve anew. Returns whether there was anything
+   * to divide. */
+  bool
+  DivideCells(const std::vector<VertexId> & cells)
   {
-    auto split = FindSplitCells(division.volume, topology.places.walls, topology.nerve.complex);
-    if (split.empty() || !Divide(division, {}, std::move(split)))
+    auto split = WithAllWalls(this->GetImage(), m_Topology.places.walls, cells);
+    this->TakeImage();
+    const bool isDivided = this->DivideAndUpdate({}, std::move(split));
+    this->LeaveImage();
+    this->NameCells();
+    return isDivided;
+  }
+
+private:
+  /** As it is by now. */
+  const LabelVolume &
+  GetImage() const
+  {
+    return m_Topology.volume.vertices.empty() ? m_Volume : m_Topology.volume;
+  }
+
+  void
+  TakeSmallFragments()
+  {
+    const auto row = static_cast<std::size_t>(m_Volume.size[0]);
+    const auto columns = static_cast<std::size_t>(m_Volume.size[1]);
+    for (const VoxelRange & range : m_Topology.fragments.ofSmall)
+    {
+      for (std::size_t i = range.begin; i < range.end; ++i)
+      {
+        m_Changes.push_back({ { { static_cast<std::int32_t>(i % row),
+                                  static_cast<std::int32_t>(i / row % columns),
+                                  static_cast<std::int32_t>(i / row / columns) } },
+                              m_Topology.volume.vertices[i] });
+      }
+    }
+    Relabel(m_Topology.volume, m_Topology.fragments.ofSmall);
+  }
+
+  void
+  TakeHandles()
+  {
+    auto characteristics =
+      FindEulerCharacteristics(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Execution);
+    if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
     {
       return;
     }
-    TakeDivision(division, topology, execution);
+    if (m_Topology.volume.vertices.empty())
+    {
+      m_Topology.volume = m_Volume;
+    }
+    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics));
+    m_Topology.handles = std::move(cuts.cells);
+    m_Changes.insert(m_Changes.end(), cuts.changes.begin(), cuts.changes.end());
   }
-}
 
-/** Gives small fragments and what makes handles to other cells, in a copy of the image where it has any. */
-void
-MakeCellsBalls(const LabelVolume & volume, ImageTopology & topology, const Execution & execution)
-{
-  const VertexId numberOfVertices = topology.fragments.numberOfVertices;
-  LabelVolume &  copy = topology.volume;
-  Relabel(copy, topology.fragments.ofSmall);
-  const LabelVolume & image = copy.vertices.empty() ? volume : copy;
-  const auto          characteristics = FindEulerCharacteristics(image, numberOfVertices, execution);
-  if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
+  /** What walls of the image need it, and what is around others, then the cells that are split all the same: around
+   * several others. */
+  void
+  DivideWhereNeeded()
   {
-    return;
+    const LabelVolume & image = this->GetImage();
+    auto                faulty = FindFaultyWalls(image, m_Topology.places.walls, m_Topology.nerve.complex);
+    auto                around = FindCellsAround(image, m_Topology.places.walls, m_Topology.fragments.numberOfVertices);
+    const auto          split = FindSplitCells(image, m_Topology.places.walls, m_Topology.nerve.complex);
+    if (faulty.empty() && around.empty() && split.empty())
+    {
+      return;
+    }
+    this->TakeImage();
+    this->DivideAndUpdate(std::move(faulty), std::move(around));
+    // Of a cell around others that is around others each pass divides one more.
+    constexpr int maximumNumberOfPasses = 3;
+    for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
+    {
+      auto left = FindSplitCells(m_Division.volume, m_Topology.places.walls, m_Topology.nerve.complex);
+      if (left.empty() || !this->DivideAndUpdate({}, std::move(left)))
+      {
+        break;
+      }
+    }
+    this->LeaveImage();
   }
-  if (copy.vertices.empty())
-  {
-    copy = volume;
-  }
-  topology.handles = CutHandles(copy, numberOfVertices, execution).cells;
-}
 
-/** Finds the fragments, the places and the nerve. */
-void
-ReadImage(const LabelVolume & volume, VertexId numberOfVertices, std::int64_t minimumFragmentVoxels,
-          ImageTopology & topology, const Execution & execution)
-{
-  topology.fragments = FindFragments(volume, numberOfVertices, minimumFragmentVoxels);
-  LabelVolume &       copy = topology.volume;
-  const LabelVolume * image = &volume;
-  if (!topology.fragments.fragments.empty())
+  void
+  TakeImage()
   {
-    copy = volume;
-    image = &copy;
+    if (m_Topology.volume.vertices.empty())
+    {
+      m_Topology.volume = m_Volume;
+    }
+    m_Division.volume = std::move(m_Topology.volume);
   }
-  Relabel(copy, topology.fragments.ofLarge);
-  std::vector<CrowdedBlock> blocks = FindCrowdedBlocks(*image, execution);
-  topology.places = { FindImageWalls(*image, execution), FindCornerPlaces(*image, blocks) };
-  execution.Report(0.4);
-  MakeCellsBalls(volume, topology, execution);
-  if (!copy.vertices.empty())
+
+  void
+  LeaveImage()
   {
-    image = &copy;
-    blocks = FindCrowdedBlocks(*image, execution);
+    if (m_Division.NumberOfVertices() > m_Topology.fragments.numberOfVertices)
+    {
+      m_Topology.places.corners = FindCornerPlaces(m_Division.volume, m_Blocks);
+    }
+    m_Topology.volume = std::move(m_Division.volume);
   }
-  topology.nerve = MakeImageNerve(*image, topology.fragments.numberOfVertices, blocks, execution);
-  execution.Report(0.6);
-  auto          faulty = FindFaultyWalls(*image, topology.places.walls, topology.nerve.complex);
-  auto          around = FindCellsAround(*image, topology.places.walls, topology.fragments.numberOfVertices);
-  LabelDivision division({}, topology.fragments.numberOfVertices);
-  if (!faulty.empty() || !around.empty() ||
-      !FindSplitCells(*image, topology.places.walls, topology.nerve.complex).empty())
+
+  /** Puts the nerve and the walls of the divided image in the place of the image's, if that has changed. */
+  bool
+  DivideAndUpdate(std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
   {
-    division.volume = image == &copy ? std::move(copy) : volume;
-    DivideWhereNeeded(division, std::move(faulty), std::move(around), topology, execution);
-    copy = std::move(division.volume);
+    if (!Divide(m_Division, std::move(faulty), std::move(split)) && !m_Division.isPadded)
+    {
+      return false;
+    }
+    auto & walls = m_Topology.places.walls;
+    if (m_Division.isPadded)
+    {
+      m_Blocks = FindCrowdedBlocks(m_Division.volume, m_Execution);
+      walls = FindImageWalls(m_Division.volume, m_Execution);
+    }
+    else
+    {
+      UpdateCrowdedBlocks(m_Division.volume, m_Division.changes, m_Blocks);
+      // A voxel that changed before it was divided is there first, with the vertex that the walls know.
+      m_Changes.insert(m_Changes.end(), m_Division.changes.begin(), m_Division.changes.end());
+      UpdateImageWalls(m_Division.volume, m_Changes, walls);
+    }
+    m_Changes.clear();
+    m_Topology.nerve = MakeImageNerve(m_Division.volume, m_Division.NumberOfVertices(), m_Blocks, m_Execution);
+    std::vector<VertexId> outside;
+    for (VertexId v = ExteriorVertex + 1; v < m_Division.NumberOfVertices(); ++v)
+    {
+      if (m_Division.realOf[static_cast<std::size_t>(v)] == ExteriorVertex)
+      {
+        outside.push_back(v);
+      }
+    }
+    m_Topology.nerve.complex.SetOutside(std::move(outside));
+    return true;
   }
-  topology.divided = division.FindDividedCells();
-  const std::vector<VertexId> cellOf = CellsWithFragments(topology.fragments);
-  topology.cellOf = std::move(division.realOf);
-  std::transform(
-    topology.cellOf.begin(), topology.cellOf.end(), topology.cellOf.begin(), [&](VertexId v) { return cellOf[v]; });
-  execution.Report(0.7);
-}
+
+  void
+  NameCells()
+  {
+    m_Topology.divided = m_Division.FindDividedCells();
+    const std::vector<VertexId> cellOf = CellsWithFragments(m_Topology.fragments);
+    m_Topology.cellOf.resize(m_Division.realOf.size());
+    std::transform(m_Division.realOf.begin(), m_Division.realOf.end(), m_Topology.cellOf.begin(), [&](VertexId v) {
+      return cellOf[v];
+    });
+  }
+
+  const LabelVolume & m_Volume;
+  ImageTopology &     m_Topology;
+  const Execution &   m_Execution;
+  /** Of the image as it is by now. */
+  std::vector<CrowdedBlock> m_Blocks;
+  /** Since the walls were found. */
+  std::vector<VoxelChange> m_Changes;
+  /** It has the image while it is being divided. */
+  LabelDivision m_Division;
+};
 } // namespace
 
 ImageTopology
@@ -165,15 +256,26 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
                   const Execution & execution, const NerveVisitor & visit)
 {
   ImageTopology topology;
-  ReadImage(volume, numberOfVertices, parameters.minimumFragmentVoxels, topology, execution);
-  if (visit)
+  ImageReading  reading(volume, topology, execution);
+  reading.Run(numberOfVertices, parameters.minimumFragmentVoxels);
+  // Where a handle could not be cut the cell, or the piece of one, is divided across it.
+  constexpr int maximumNumberOfPasses = 4;
+  for (int pass = 0; pass < maximumNumberOfPasses; ++pass)
   {
-    visit(topology);
+    if (visit)
+    {
+      visit(topology);
+    }
+    topology.repairs = Repair(topology.nerve, topology.places);
+    topology.descent = Descend(
+      topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
+    topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
+    if (topology.unsoundCells.empty() || pass + 1 == maximumNumberOfPasses ||
+        !reading.DivideCells(topology.unsoundCells))
+    {
+      break;
+    }
   }
-  topology.repairs = Repair(topology.nerve, topology.places);
-  topology.descent = Descend(
-    topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
-  topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
   return topology;
 }
 } // namespace tissue

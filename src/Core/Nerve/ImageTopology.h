@@ -51,7 +51,7 @@ struct ImageTopology
   std::vector<VertexId> unsoundCells;
 };
 
-/** Called with the nerve before the repair. */
+/** Called with the nerve before the repair; again where cells had to be divided after it. */
 using NerveVisitor = std::function<void(const ImageTopology &)>;
 
 /** Fragments, handles, nerve, division, repair and descent of an image whose voxels are of the vertices 0 ...

@@ -4,11 +4,14 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "Nerve/TissuePlaces.h"
+#include "Nerve/WallPart.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <tuple>
 
 namespace tissue
 {
@@ -16,16 +19,6 @@ namespace
 {
 using FaceId = std::int32_t;
 constexpr FaceId None = -1;
-
-/** Faces found to be of one wall so far: the sums are of twice the coordinates of their centres, so whole. */
-struct Part
-{
-  VertexPair                  cells;
-  std::int64_t                numberOfFaces = 0;
-  std::array<std::int64_t, 3> sum = { { 0, 0, 0 } };
-  /** Twice the centre of the first face in raster order. */
-  std::array<std::int64_t, 3> first = { { 0, 0, 0 } };
-};
 
 /** The voxels at the sides of a face, by twice its centre: one coordinate is odd. */
 std::array<VoxelIndex, 2>
@@ -39,6 +32,13 @@ SidesOf(const std::array<std::int64_t, 3> & twice)
     sides[1][axis] = sides[0][axis] + (isAcross ? 1 : 0);
   }
   return sides;
+}
+
+/** As by ==, which compilers make a call of that costs more than the comparison. */
+bool
+AreEqual(const VertexPair & a, const VertexPair & b)
+{
+  return a[0] == b[0] && a[1] == b[1];
 }
 
 /** A plane of voxels with a border of one voxel of exterior. */
@@ -62,8 +62,18 @@ ReadPlane(const LabelVolume & volume, std::int32_t z)
   return plane;
 }
 
-/** The part that each face at the upper side of a voxel of a plane belongs to, by axis. */
-using PlaneFaces = std::array<std::vector<FaceId>, 3>;
+/** The parts that the faces at the upper sides of a voxel belong to, by axis. */
+using FacesOfVoxel = std::array<FaceId, 3>;
+constexpr FacesOfVoxel NoFaces{ { None, None, None } };
+/** Of all voxels of a plane. */
+using PlaneFaces = std::vector<FacesOfVoxel>;
+
+/** The faces of those voxels of a plane that have some. */
+struct VoxelFaces
+{
+  std::uint32_t voxel;
+  FacesOfVoxel  faces;
+};
 
 /** Faces around the edges of another one. */
 using FacesAround = std::array<FaceId, 6>;
@@ -79,8 +89,7 @@ public:
   WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
     : m_Plane(ReadPlane(volume, begin))
   {
-    const std::vector<FaceId> noFaces(m_Plane.labels.size(), None);
-    m_Below = { { noFaces, noFaces, noFaces } };
+    m_Below.assign(m_Plane.labels.size(), NoFaces);
     m_Last = m_Below;
     for (std::int32_t z = begin; z < end; ++z)
     {
@@ -90,20 +99,25 @@ public:
       this->FindFaces(next, z);
       if (z == begin)
       {
-        m_First = m_Last;
+        m_First = this->ListLast();
       }
       m_Plane = std::move(next);
     }
+    m_LastList = this->ListLast();
+    // Scans are kept until all are done: without their planes.
+    m_Plane = {};
+    m_Below = PlaneFaces();
+    m_Last = PlaneFaces();
   }
 
   /** Faces around the lower edges of a face of a plane that are below the plane. */
   static std::array<FaceId, 3>
   Under(const PlaneFaces & below, int axis, std::size_t p, std::size_t width)
   {
-    return { { below[axis][p], below[2][p], below[2][p + (axis == 0 ? 1 : width)] } };
+    return { { below[p][axis], below[p][2], below[p + (axis == 0 ? 1 : width)][2] } };
   }
 
-  const std::vector<Part> &
+  const std::vector<WallPart> &
   GetParts() const
   {
     return m_Parts;
@@ -113,15 +127,15 @@ public:
   {
     return m_Sets;
   }
-  const PlaneFaces &
+  const std::vector<VoxelFaces> &
   GetFirst() const
   {
     return m_First;
   }
-  const PlaneFaces &
+  const std::vector<VoxelFaces> &
   GetLast() const
   {
-    return m_Last;
+    return m_LastList;
   }
 
 private:
@@ -133,7 +147,7 @@ private:
     FaceId           face = None;
     for (const FaceId other : around)
     {
-      if (other == None || other == face || m_Parts[other].cells != cells)
+      if (other == None || other == face || !AreEqual(m_Parts[other].cells, cells))
       {
         continue;
       }
@@ -151,28 +165,42 @@ private:
       face = static_cast<FaceId>(m_Sets.Add());
       m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, center });
     }
-    Part & part = m_Parts[face];
-    ++part.numberOfFaces;
-    std::transform(part.sum.begin(), part.sum.end(), center.begin(), part.sum.begin(), std::plus<>());
+    m_Parts[face].AddFace(center);
     return face;
+  }
+
+  /** Whether voxels of a plane have no faces at their upper sides, as nearly everywhere. */
+  bool
+  HaveNoFaces(const LabelPlane & next, std::size_t begin, std::size_t end) const
+  {
+    const VertexId * labels = m_Plane.labels.data();
+    const VertexId * behind = labels + m_Plane.width;
+    const VertexId * above = next.labels.data();
+    VertexId         differences = 0;
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      differences |= (labels[p] ^ labels[p + 1]) | (labels[p] ^ behind[p]) | (labels[p] ^ above[p]);
+    }
+    return differences == 0;
   }
 
   void
   FindFaces(const LabelPlane & next, std::int32_t z)
   {
-    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
-    const auto &      labels = m_Plane.labels;
+    constexpr std::int32_t stretch = 16;
+    const auto             width = static_cast<std::size_t>(m_Plane.width);
     for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
     {
-      for (std::int32_t x = 0; x + 1 < m_Plane.width; ++x)
+      const std::size_t row = static_cast<std::size_t>(y) * width;
+      for (std::int32_t begin = 0; begin + 1 < m_Plane.width; begin += stretch)
       {
-        const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        const VertexId    label = labels[p];
-        if (labels[p + 1] != label || labels[p + width] != label || next.labels[p] != label)
+        const std::int32_t end = std::min(begin + stretch, m_Plane.width - 1);
+        if (!this->HaveNoFaces(next, row + static_cast<std::size_t>(begin), row + static_cast<std::size_t>(end)))
         {
-          this->AddFacesOfVoxel(p,
-                                { { label, labels[p + 1], labels[p + width], next.labels[p] } },
-                                { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
+          for (std::int32_t x = begin; x < end; ++x)
+          {
+            this->AddFacesOfVoxel(next, row + static_cast<std::size_t>(x), { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
+          }
         }
       }
     }
@@ -181,36 +209,55 @@ private:
   /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
    * has none at its lower sides. */
   void
-  AddFacesOfVoxel(std::size_t p, const std::array<VertexId, 4> & labels, const std::array<std::int64_t, 3> & twice)
+  AddFacesOfVoxel(const LabelPlane & next, std::size_t p, const std::array<std::int64_t, 3> & twice)
   {
-    const std::size_t width = static_cast<std::size_t>(m_Plane.width);
-    const auto &      last = m_Last;
+    const std::size_t             width = static_cast<std::size_t>(m_Plane.width);
+    const std::array<VertexId, 4> labels{
+      { m_Plane.labels[p], m_Plane.labels[p + 1], m_Plane.labels[p + width], next.labels[p] }
+    };
+    if (labels[1] == labels[0] && labels[2] == labels[0] && labels[3] == labels[0])
+    {
+      return;
+    }
+    const auto & last = m_Last;
     m_Touched.push_back(p);
     if (labels[1] != labels[0])
     {
       const auto under = Under(m_Below, 0, p, width);
-      m_Last[0][p] = this->AddFace(
+      m_Last[p][0] = this->AddFace(
         labels[0],
         labels[1],
-        { { last[0][p - width], last[1][p - width], last[1][p - width + 1], under[0], under[1], under[2] } },
+        { { last[p - width][0], last[p - width][1], last[p - width + 1][1], under[0], under[1], under[2] } },
         { { twice[0] + 1, twice[1], twice[2] } });
     }
     if (labels[2] != labels[0])
     {
       const auto under = Under(m_Below, 1, p, width);
-      m_Last[1][p] = this->AddFace(labels[0],
+      m_Last[p][1] = this->AddFace(labels[0],
                                    labels[2],
-                                   { { last[1][p - 1], last[0][p - 1], last[0][p], under[0], under[1], under[2] } },
+                                   { { last[p - 1][1], last[p - 1][0], last[p][0], under[0], under[1], under[2] } },
                                    { { twice[0], twice[1] + 1, twice[2] } });
     }
     if (labels[3] != labels[0])
     {
-      m_Last[2][p] = this->AddFace(
+      m_Last[p][2] = this->AddFace(
         labels[0],
         labels[3],
-        { { last[2][p - 1], last[2][p - width], last[0][p], last[1][p], last[0][p - 1], last[1][p - width] } },
+        { { last[p - 1][2], last[p - width][2], last[p][0], last[p][1], last[p - 1][0], last[p - width][1] } },
         { { twice[0], twice[1], twice[2] + 1 } });
     }
+  }
+
+  std::vector<VoxelFaces>
+  ListLast() const
+  {
+    std::vector<VoxelFaces> list;
+    list.reserve(m_Touched.size());
+    for (const std::size_t p : m_Touched)
+    {
+      list.push_back({ static_cast<std::uint32_t>(p), m_Last[p] });
+    }
+    return list;
   }
 
   /** Takes out the faces of the plane before the one below, whose memory is used again. */
@@ -219,22 +266,20 @@ private:
   {
     for (const std::size_t p : m_TouchedBelow)
     {
-      for (auto & ofAxis : m_Last)
-      {
-        ofAxis[p] = None;
-      }
+      m_Last[p] = NoFaces;
     }
     m_TouchedBelow.swap(m_Touched);
     m_Touched.clear();
   }
 
   LabelPlane               m_Plane;
-  PlaneFaces               m_First;
+  std::vector<VoxelFaces>  m_First;
+  std::vector<VoxelFaces>  m_LastList;
   PlaneFaces               m_Below;
   PlaneFaces               m_Last;
   std::vector<std::size_t> m_Touched;
   std::vector<std::size_t> m_TouchedBelow;
-  std::vector<Part>        m_Parts;
+  std::vector<WallPart>    m_Parts;
   DisjointSets             m_Sets;
 };
 
@@ -242,6 +287,11 @@ private:
 class WallJoin
 {
 public:
+  /** \param planeSize voxels of a plane with its border. */
+  explicit WallJoin(std::size_t planeSize)
+    : m_Below(planeSize, NoFaces)
+  {}
+
   void
   Append(WallScan & scan)
   {
@@ -257,26 +307,23 @@ public:
   /** Joins the first plane of the slab that was appended last to the last one of that before, whose parts begin at
    * lowerOffset. */
   void
-  JoinSlabs(const PlaneFaces & below, const PlaneFaces & first, std::size_t lowerOffset, std::size_t width)
+  JoinSlabs(const std::vector<VoxelFaces> & below, const std::vector<VoxelFaces> & first, std::size_t lowerOffset,
+            std::size_t width)
   {
-    for (int axis = 0; axis < 2; ++axis)
+    for (const VoxelFaces & voxel : below)
     {
-      for (std::size_t p = 0; p + width < first[axis].size(); ++p)
+      m_Below[voxel.voxel] = voxel.faces;
+    }
+    for (const VoxelFaces & voxel : first)
+    {
+      for (int axis = 0; axis < 2; ++axis)
       {
-        for (const FaceId under : WallScan::Under(below, axis, p, width))
-        {
-          if (first[axis][p] == None || under == None)
-          {
-            continue;
-          }
-          const std::size_t upper = m_Offset + static_cast<std::size_t>(first[axis][p]);
-          const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
-          if (m_Parts[upper].cells == m_Parts[lower].cells)
-          {
-            m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
-          }
-        }
+        this->JoinFace(voxel.faces[axis], WallScan::Under(m_Below, axis, voxel.voxel, width), lowerOffset);
       }
+    }
+    for (const VoxelFaces & voxel : below)
+    {
+      m_Below[voxel.voxel] = NoFaces;
     }
   }
 
@@ -290,24 +337,43 @@ public:
   GatherWalls(const LabelVolume & volume);
 
 private:
+  void
+  JoinFace(FaceId face, const std::array<FaceId, 3> & facesUnder, std::size_t lowerOffset)
+  {
+    for (const FaceId under : facesUnder)
+    {
+      if (face != None && under != None)
+      {
+        const std::size_t upper = m_Offset + static_cast<std::size_t>(face);
+        const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
+        if (AreEqual(m_Parts[upper].cells, m_Parts[lower].cells))
+        {
+          m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
+        }
+      }
+    }
+  }
+
   std::int64_t
   Index(std::size_t part) const
   {
     return static_cast<std::int64_t>(m_Offset + part);
   }
 
-  std::vector<Part> m_Parts;
-  DisjointSets      m_Sets;
-  std::size_t       m_Offset = 0;
+  std::vector<WallPart> m_Parts;
+  DisjointSets          m_Sets;
+  std::size_t           m_Offset = 0;
+  /** The faces of the plane below a slab that is being joined; else none. */
+  PlaneFaces m_Below;
 };
 
 std::vector<ImageWall>
 WallJoin::GatherWalls(const LabelVolume & volume)
 {
-  std::vector<Part> joined(m_Parts.size());
+  std::vector<WallPart> joined(m_Parts.size());
   for (std::size_t i = 0; i < m_Parts.size(); ++i)
   {
-    Part & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
+    WallPart & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
     if (whole.numberOfFaces == 0)
     {
       // A set's least part comes first here, and is of the first face.
@@ -318,49 +384,65 @@ WallJoin::GatherWalls(const LabelVolume & volume)
     std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
   }
   std::vector<ImageWall> walls;
-  for (const Part & part : joined)
+  for (const WallPart & part : joined)
   {
     if (part.numberOfFaces > 0)
     {
-      const double half = 0.5 / static_cast<double>(part.numberOfFaces);
-      walls.push_back({ part.cells,
-                        part.numberOfFaces,
-                        volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
-                                              half * static_cast<double>(part.sum[1]),
-                                              half * static_cast<double>(part.sum[2]) } }),
-                        SidesOf(part.first) });
+      walls.push_back(ToImageWall(volume, part));
     }
   }
-  std::stable_sort(walls.begin(), walls.end(), [](const ImageWall & a, const ImageWall & b) {
-    return a.cells != b.cells ? a.cells < b.cells : a.numberOfFaces > b.numberOfFaces;
-  });
+  std::sort(walls.begin(), walls.end(), ComesBefore);
   return walls;
 }
 } // namespace
+
+ImageWall
+ToImageWall(const LabelVolume & volume, const WallPart & part)
+{
+  const double half = 0.5 / static_cast<double>(part.numberOfFaces);
+  return { part.cells,
+           part.numberOfFaces,
+           volume.ToPhysical({ { half * static_cast<double>(part.sum[0]),
+                                 half * static_cast<double>(part.sum[1]),
+                                 half * static_cast<double>(part.sum[2]) } }),
+           SidesOf(part.first) };
+}
+
+bool
+ComesBefore(const ImageWall & a, const ImageWall & b)
+{
+  const auto rank = [](const ImageWall & wall) {
+    const auto & [p, q] = wall.face;
+    return std::make_tuple(wall.cells, -wall.numberOfFaces, p[2], p[1], p[0], q[2], q[1], q[0]);
+  };
+  return rank(a) < rank(b);
+}
 
 std::vector<ImageWall>
 FindImageWalls(const LabelVolume & volume, const Execution & execution)
 {
   // Planes of a slab: few slabs, as each keeps two planes of faces, and yet one for each of many threads.
-  constexpr std::int32_t             planesPerSlab = 32;
-  const std::int32_t                 planes = volume.size[2] + 1;
-  const auto                         count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
-  std::vector<std::vector<WallScan>> scans(count); // each of one: a scan is made where it is run
-  execution.For(count, [&](std::size_t i) {
-    const auto begin = static_cast<std::int32_t>(i) * planesPerSlab - 1;
-    scans[i].emplace_back(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
-  });
-  WallJoin join;
-  for (std::size_t i = 0; i < count; ++i)
+  constexpr std::int32_t  planesPerSlab = 32;
+  constexpr std::size_t   slabsAtOnce = 8;
+  const std::int32_t      planes = volume.size[2] + 1;
+  const auto              count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
+  const std::size_t       width = static_cast<std::size_t>(volume.size[0]) + 2;
+  WallJoin                join(width * (static_cast<std::size_t>(volume.size[1]) + 2));
+  std::vector<VoxelFaces> below;
+  for (std::size_t first = 0; first < count; first += slabsAtOnce)
   {
-    const std::size_t lowerOffset = join.GetOffset();
-    join.Append(scans[i].front());
-    if (i > 0)
+    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, count - first));
+    execution.For(scans.size(), [&](std::size_t i) {
+      const auto begin = static_cast<std::int32_t>(first + i) * planesPerSlab - 1;
+      scans[i].emplace(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
+    });
+    for (auto & scan : scans)
     {
-      join.JoinSlabs(scans[i - 1].front().GetLast(),
-                     scans[i].front().GetFirst(),
-                     lowerOffset,
-                     static_cast<std::size_t>(volume.size[0]) + 2);
+      const std::size_t lowerOffset = join.GetOffset();
+      join.Append(*scan);
+      join.JoinSlabs(below, scan->GetFirst(), lowerOffset, width);
+      below = scan->GetLast();
+      scan.reset();
     }
   }
   return join.GatherWalls(volume);

@@ -15,157 +15,199 @@ namespace tissue
 {
 namespace
 {
+/** Number of runs that are joined as they come; a piece is some parts, and goes by the first one. */
+using PartId = std::int64_t;
+
 /** Consecutive voxels of one vertex in a row, [begin, end). */
-struct Run
+struct LabelRun
 {
   VertexId     vertex;
   std::int32_t begin;
   std::int32_t end;
+  PartId       part;
 };
 
-using RunId = std::int64_t;
+using RunRow = std::vector<LabelRun>;
 
-/** \brief The image as runs, and the pieces that they are joined to. */
+/** Calls visit(run, run of the row before, common voxels) for the contacts of a row with one before it, where a voxel
+ * meets that of the same place in the row, and `reach` voxels before it. */
+template <typename TRow, typename TVisitor>
+void
+VisitContacts(TRow & row, const RunRow & before, std::int32_t reach, const TVisitor & visit)
+{
+  auto a = row.begin();
+  auto b = before.begin();
+  while (a != row.end() && b != before.end())
+  {
+    const std::int32_t common = std::min(a->end, b->end + reach) - std::max(a->begin, b->begin);
+    if (common > 0)
+    {
+      visit(*a, *b, common);
+    }
+    // The run that ends first has met all that it can; one that ends within reach may meet the next one, too.
+    if (a->end <= b->end)
+    {
+      ++a;
+    }
+    else
+    {
+      ++b;
+    }
+  }
+}
+
+/** \brief The pieces of an image. Its runs are not kept but for two planes: they are read again where they are wanted.
+ */
 class Pieces
 {
 public:
   explicit Pieces(const LabelVolume & volume)
-    : m_Rows(static_cast<std::size_t>(volume.size[1]) * volume.size[2])
-    , m_RowsPerPlane(static_cast<std::size_t>(volume.size[1]))
+    : m_Volume(volume)
   {
-    for (std::size_t row = 0; row < m_Rows; ++row)
+    this->Read([this](std::size_t, const RunRow & runs, const RunRow &, const RunRow &) {
+      for (const LabelRun & run : runs)
+      {
+        m_Voxels[static_cast<std::size_t>(run.part)] += run.end - run.begin;
+      }
+    });
+    for (std::size_t part = 0; part < m_Voxels.size(); ++part)
     {
-      m_RowBegins.push_back(m_Runs.size());
-      this->AppendRuns(volume.vertices.data() + row * static_cast<std::size_t>(volume.size[0]), volume.size[0]);
-    }
-    m_RowBegins.push_back(m_Runs.size());
-    m_Sets = DisjointSets(m_Runs.size());
-    for (std::size_t row = 0; row < m_Rows; ++row)
-    {
-      this->VisitContacts(row, 1, [&](RunId a, RunId b, std::int32_t) {
-        if (m_Runs[a].vertex == m_Runs[b].vertex)
-        {
-          m_Sets.Unite(a, b);
-        }
-      });
+      const auto piece = static_cast<std::size_t>(m_Sets.Find(static_cast<PartId>(part)));
+      if (piece != part)
+      {
+        m_Voxels[piece] += m_Voxels[part];
+      }
     }
   }
 
-  /** Calls visit(run, run of a row before, common voxels) for the contacts of a row with those before it, where a voxel
-   * meets those of the same place in the row, and `reach` voxels before it. With reach 0 only by faces. */
+  /** Calls visit(row, its runs, those of the row before it in the plane, those of the same row in the plane before) for
+   * each row; where there is no such row, without runs. */
   template <typename TVisitor>
   void
-  VisitContacts(std::size_t row, std::int32_t reach, const TVisitor & visit) const
+  Read(const TVisitor & visit)
   {
-    const bool hasNear = row % m_RowsPerPlane != 0;
-    const bool hasBelow = row >= m_RowsPerPlane;
-    if (hasNear)
+    const RunRow        none;
+    const auto          rows = static_cast<std::size_t>(m_Volume.size[1]);
+    std::vector<RunRow> plane(rows);
+    std::vector<RunRow> below(rows);
+    PartId              next = 0;
+    for (std::size_t row = 0; row < rows * static_cast<std::size_t>(m_Volume.size[2]); ++row)
     {
-      this->VisitRows(row, row - 1, reach, visit);
-    }
-    if (hasBelow)
-    {
-      this->VisitRows(row, row - m_RowsPerPlane, reach, visit);
-    }
-    if (hasNear && hasBelow && reach > 0)
-    {
-      this->VisitRows(row, row - m_RowsPerPlane - 1, reach, visit);
+      const std::size_t y = row % rows;
+      if (y == 0)
+      {
+        plane.swap(below);
+      }
+      const RunRow & near = y > 0 ? plane[y - 1] : none;
+      this->FindRuns(row, plane[y]);
+      for (const RunRow * before : { &near, static_cast<const RunRow *>(&below[y]), y > 0 ? &below[y - 1] : &none })
+      {
+        this->Join(plane[y], *before);
+      }
+      this->AddParts(plane[y], next);
+      visit(row, plane[y], near, below[y]);
     }
   }
 
-  std::size_t
-  NumberOfRows() const
+  PartId
+  NumberOfParts() const
   {
-    return m_Rows;
+    return static_cast<PartId>(m_VertexOf.size());
   }
-  RunId
-  RowBegin(std::size_t row) const
+  PartId
+  PieceOf(PartId part)
   {
-    return static_cast<RunId>(m_RowBegins[row]);
+    return m_Sets.Find(part);
   }
-  const std::vector<Run> &
-  GetRuns() const
+  VertexId
+  VertexOf(PartId part) const
   {
-    return m_Runs;
+    return m_VertexOf[static_cast<std::size_t>(part)];
   }
-  RunId
-  PieceOf(RunId run)
+  std::int64_t
+  VoxelsOf(PartId piece) const
   {
-    return m_Sets.Find(run);
+    return m_Voxels[static_cast<std::size_t>(piece)];
   }
 
 private:
+  static constexpr PartId None = -1;
+
   void
-  AppendRuns(const VertexId * row, std::int32_t size)
+  FindRuns(std::size_t row, RunRow & runs) const
   {
-    for (std::int32_t begin = 0; begin < size;)
+    const VertexId * const labels = m_Volume.vertices.data() + row * static_cast<std::size_t>(m_Volume.size[0]);
+    runs.clear();
+    for (std::int32_t begin = 0; begin < m_Volume.size[0];)
     {
       std::int32_t end = begin + 1;
-      while (end < size && row[end] == row[begin])
+      while (end < m_Volume.size[0] && labels[end] == labels[begin])
       {
         ++end;
       }
-      m_Runs.push_back({ row[begin], begin, end });
+      runs.push_back({ labels[begin], begin, end, None });
       begin = end;
     }
   }
 
-  template <typename TVisitor>
   void
-  VisitRows(std::size_t row, std::size_t before, std::int32_t reach, const TVisitor & visit) const
+  Join(RunRow & runs, const RunRow & before)
   {
-    std::size_t a = m_RowBegins[row];
-    std::size_t b = m_RowBegins[before];
-    while (a < m_RowBegins[row + 1] && b < m_RowBegins[before + 1])
-    {
-      const std::int32_t common =
-        std::min(m_Runs[a].end, m_Runs[b].end + reach) - std::max(m_Runs[a].begin, m_Runs[b].begin);
-      if (common > 0)
+    VisitContacts(runs, before, 1, [this](LabelRun & run, const LabelRun & other, std::int32_t) {
+      if (run.vertex == other.vertex && run.part == None)
       {
-        visit(static_cast<RunId>(a), static_cast<RunId>(b), common);
+        run.part = other.part;
       }
-      // The run that ends first has met all that it can; one that ends within reach may meet the next one, too.
-      ++(m_Runs[a].end <= m_Runs[b].end ? a : b);
+      else if (run.vertex == other.vertex && run.part != other.part)
+      {
+        m_Sets.Unite(run.part, other.part);
+      }
+    });
+  }
+
+  /** Parts are the same each time that the image is read. */
+  void
+  AddParts(RunRow & runs, PartId & next)
+  {
+    for (LabelRun & run : runs)
+    {
+      if (run.part == None)
+      {
+        run.part = next++;
+        if (run.part == this->NumberOfParts())
+        {
+          m_Sets.Add();
+          m_VertexOf.push_back(run.vertex);
+          m_Voxels.push_back(0);
+        }
+      }
     }
   }
 
-  std::size_t              m_Rows;
-  std::size_t              m_RowsPerPlane;
-  std::vector<Run>         m_Runs;
-  std::vector<std::size_t> m_RowBegins;
-  DisjointSets             m_Sets;
+  const LabelVolume &       m_Volume;
+  DisjointSets              m_Sets;
+  std::vector<VertexId>     m_VertexOf;
+  std::vector<std::int64_t> m_Voxels;
 };
 
-/** Of each vertex its largest piece, -1 where it has none; of each piece, by its first run, its voxels. */
-struct LargestPieces
-{
-  std::vector<RunId>        ofVertex;
-  std::vector<std::int64_t> voxels;
-};
-
-LargestPieces
+/** Of each vertex its largest piece, of several the first; -1 where it has none. */
+std::vector<PartId>
 FindLargest(Pieces & pieces, VertexId numberOfVertices)
 {
-  const auto &  runs = pieces.GetRuns();
-  LargestPieces largest{ std::vector<RunId>(static_cast<std::size_t>(numberOfVertices), -1),
-                         std::vector<std::int64_t>(runs.size(), 0) };
-  for (std::size_t i = 0; i < runs.size(); ++i)
+  std::vector<PartId> largest(static_cast<std::size_t>(numberOfVertices), -1);
+  for (PartId part = 0; part < pieces.NumberOfParts(); ++part)
   {
-    largest.voxels[static_cast<std::size_t>(pieces.PieceOf(static_cast<RunId>(i)))] += runs[i].end - runs[i].begin;
-  }
-  for (std::size_t i = 0; i < runs.size(); ++i)
-  {
-    RunId & best = largest.ofVertex[static_cast<std::size_t>(runs[i].vertex)];
-    if (largest.voxels[i] > (best < 0 ? 0 : largest.voxels[static_cast<std::size_t>(best)]))
+    PartId & best = largest[static_cast<std::size_t>(pieces.VertexOf(part))];
+    if (pieces.PieceOf(part) == part && (best < 0 || pieces.VoxelsOf(part) > pieces.VoxelsOf(best)))
     {
-      best = static_cast<RunId>(i);
+      best = part;
     }
   }
   return largest;
 }
 
 /** Faces that each fragment has in common with each other piece. */
-using Contacts = std::map<RunId, std::map<RunId, std::int64_t>>;
+using Contacts = std::map<PartId, std::map<PartId, std::int64_t>>;
 
 class FragmentSearch
 {
@@ -183,53 +225,47 @@ public:
   {
     Fragments result;
     result.numberOfVertices = m_NumberOfVertices;
-    const auto numberOfRuns = static_cast<RunId>(m_Pieces.GetRuns().size());
-    for (RunId run = 0; run < numberOfRuns; ++run)
+    bool isAny = false;
+    for (PartId part = 0; part < m_Pieces.NumberOfParts(); ++part)
     {
-      if (m_Pieces.PieceOf(run) == run && this->IsFragment(run) && this->VoxelsOf(run) >= m_MinimumVoxels)
+      if (m_Pieces.PieceOf(part) == part && this->IsFragment(part))
       {
-        m_Vertex.emplace(run, result.numberOfVertices++);
+        isAny = true;
+        if (m_Pieces.VoxelsOf(part) >= m_MinimumVoxels)
+        {
+          m_Vertex.emplace(part, result.numberOfVertices++);
+        }
       }
     }
-    const std::map<RunId, VertexId> large = m_Vertex;
+    if (!isAny)
+    {
+      return result;
+    }
+    const std::map<PartId, VertexId> large = m_Vertex;
     this->FindContacts();
     this->ChooseForSmall();
     for (const auto & [piece, vertex] : m_Vertex)
     {
-      result.fragments.push_back({ this->VertexOf(piece), this->VoxelsOf(piece), vertex, large.count(piece) != 0 });
+      result.fragments.push_back(
+        { m_Pieces.VertexOf(piece), m_Pieces.VoxelsOf(piece), vertex, large.count(piece) != 0 });
     }
-    if (!result.fragments.empty())
-    {
-      this->AppendRanges(large, result);
-    }
+    this->AppendRanges(large, result);
     return result;
   }
 
 private:
-  VertexId
-  VertexOf(RunId piece) const
-  {
-    return m_Pieces.GetRuns()[static_cast<std::size_t>(piece)].vertex;
-  }
-
-  std::int64_t
-  VoxelsOf(RunId piece) const
-  {
-    return m_Largest.voxels[static_cast<std::size_t>(piece)];
-  }
-
   bool
-  IsFragment(RunId piece) const
+  IsFragment(PartId piece) const
   {
-    const VertexId vertex = this->VertexOf(piece);
-    return vertex != ExteriorVertex && m_Largest.ofVertex[static_cast<std::size_t>(vertex)] != piece;
+    const VertexId vertex = m_Pieces.VertexOf(piece);
+    return vertex != ExteriorVertex && m_Largest[static_cast<std::size_t>(vertex)] != piece;
   }
 
   void
-  AddContact(RunId runA, RunId runB, std::int64_t faces)
+  AddContact(const LabelRun & runA, const LabelRun & runB, std::int64_t faces)
   {
-    const RunId a = m_Pieces.PieceOf(runA);
-    const RunId b = m_Pieces.PieceOf(runB);
+    const PartId a = m_Pieces.PieceOf(runA.part);
+    const PartId b = m_Pieces.PieceOf(runB.part);
     if (a != b && this->IsFragment(a))
     {
       m_Contacts[a][b] += faces;
@@ -243,14 +279,18 @@ private:
   void
   FindContacts()
   {
-    for (std::size_t row = 0; row < m_Pieces.NumberOfRows(); ++row)
-    {
-      for (RunId run = m_Pieces.RowBegin(row) + 1; run < m_Pieces.RowBegin(row + 1); ++run)
+    m_Pieces.Read([this](std::size_t, const RunRow & runs, const RunRow & near, const RunRow & below) {
+      for (std::size_t i = 1; i < runs.size(); ++i)
       {
-        this->AddContact(run - 1, run, 1);
+        this->AddContact(runs[i - 1], runs[i], 1);
       }
-      m_Pieces.VisitContacts(row, 0, [&](RunId a, RunId b, std::int32_t common) { this->AddContact(a, b, common); });
-    }
+      for (const RunRow * before : { &near, &below })
+      {
+        VisitContacts(runs, *before, 0, [this](const LabelRun & a, const LabelRun & b, std::int32_t common) {
+          this->AddContact(a, b, common);
+        });
+      }
+    });
   }
 
   /** In rounds: the fragments of a round go into pieces that stay, or that have found their place in an earlier one.
@@ -258,7 +298,7 @@ private:
   void
   ChooseForSmall()
   {
-    std::map<RunId, VertexId> round;
+    std::map<PartId, VertexId> round;
     do
     {
       round.clear();
@@ -270,7 +310,7 @@ private:
           const auto known = m_Vertex.find(other);
           if (!this->IsFragment(other) || known != m_Vertex.end())
           {
-            ofVertex[known != m_Vertex.end() ? known->second : this->VertexOf(other)] += count;
+            ofVertex[known != m_Vertex.end() ? known->second : m_Pieces.VertexOf(other)] += count;
           }
         }
         if (m_Vertex.count(fragment) == 0 && !ofVertex.empty())
@@ -285,33 +325,31 @@ private:
   }
 
   void
-  AppendRanges(const std::map<RunId, VertexId> & large, Fragments & result)
+  AppendRanges(const std::map<PartId, VertexId> & large, Fragments & result)
   {
-    for (std::size_t row = 0; row < m_Pieces.NumberOfRows(); ++row)
-    {
+    m_Pieces.Read([&](std::size_t row, const RunRow & runs, const RunRow &, const RunRow &) {
       const std::size_t first = row * static_cast<std::size_t>(m_Size);
-      for (RunId run = m_Pieces.RowBegin(row); run < m_Pieces.RowBegin(row + 1); ++run)
+      for (const LabelRun & run : runs)
       {
-        const auto at = m_Vertex.find(m_Pieces.PieceOf(run));
+        const auto at = m_Vertex.find(m_Pieces.PieceOf(run.part));
         if (at != m_Vertex.end())
         {
-          const auto & r = m_Pieces.GetRuns()[static_cast<std::size_t>(run)];
-          auto &       ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
+          auto & ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
           ranges.push_back(
-            { first + static_cast<std::size_t>(r.begin), first + static_cast<std::size_t>(r.end), at->second });
+            { first + static_cast<std::size_t>(run.begin), first + static_cast<std::size_t>(run.end), at->second });
         }
       }
-    }
+    });
   }
 
-  std::int32_t  m_Size;
-  VertexId      m_NumberOfVertices;
-  std::int64_t  m_MinimumVoxels;
-  Pieces        m_Pieces;
-  LargestPieces m_Largest;
-  Contacts      m_Contacts;
+  std::int32_t        m_Size;
+  VertexId            m_NumberOfVertices;
+  std::int64_t        m_MinimumVoxels;
+  Pieces              m_Pieces;
+  std::vector<PartId> m_Largest;
+  Contacts            m_Contacts;
   /** The vertex of each fragment, large or small. */
-  std::map<RunId, VertexId> m_Vertex;
+  std::map<PartId, VertexId> m_Vertex;
 };
 } // namespace
 

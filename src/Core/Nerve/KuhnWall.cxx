@@ -7,6 +7,7 @@
 #include "Nerve/KuhnWall.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tissue
 {
@@ -37,6 +38,34 @@ int
 SetOf(const VoxelIndex & step)
 {
   return step[0] + 2 * step[1] + 4 * step[2];
+}
+
+/** The steps from the first voxel of an edge to the third ones of the triangles around it. */
+using StepsAround = std::vector<VoxelIndex>;
+
+/** By the step along the edge, in the order of KuhnSteps(). */
+const std::array<StepsAround, 14> &
+AllStepsAround()
+{
+  static const std::array<StepsAround, 14> all = [] {
+    std::array<StepsAround, 14> around;
+    for (std::size_t along = 0; along < around.size(); ++along)
+    {
+      std::copy_if(KuhnSteps().begin(),
+                   KuhnSteps().end(),
+                   std::back_inserter(around[along]),
+                   [along](const VoxelIndex & step) { return AreNeighbors(step, KuhnSteps()[along]); });
+    }
+    return around;
+  }();
+  return all;
+}
+
+const StepsAround &
+StepsAroundEdge(const KuhnEdge & edge)
+{
+  const int set = SetOf(Difference(edge.second, edge.first));
+  return AllStepsAround()[static_cast<std::size_t>(set > 0 ? set - 1 : 6 - set)];
 }
 
 /** One of the two tetrahedra that have a triangle, with the local vertex that is not of it. */
@@ -134,14 +163,10 @@ KuhnWallSearch::Visit(const KuhnEdge & edge, KuhnWall & wall)
 {
   wall.voxels[0].push_back(edge.first);
   wall.voxels[1].push_back(edge.second);
-  for (const VoxelIndex & step : KuhnSteps())
+  for (const VoxelIndex & step : StepsAroundEdge(edge))
   {
     const VoxelIndex third = edge.first + step;
-    if (!AreNeighbors(third, edge.second))
-    {
-      continue;
-    }
-    const VertexId label = this->At(third);
+    const VertexId   label = this->At(third);
     if (label != wall.cells[0] && label != wall.cells[1])
     {
       this->WalkCircle(edge, third, wall);

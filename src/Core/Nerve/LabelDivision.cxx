@@ -8,6 +8,7 @@
 
 #include "Nerve/GeodesicSeeds.h"
 #include "Nerve/VertexLinks.h"
+#include "Nerve/VoxelBox.h"
 
 #include <algorithm>
 #include <iterator>
@@ -26,23 +27,25 @@ constexpr int LayerSteps = 2;
 constexpr std::int32_t Padding = LayerSteps + 1;
 constexpr int          MaximumNumberOfRounds = 6;
 
-/** Whether a layer around one of the walls may reach out of the image. */
+/** Whether a layer around a cell may reach out of the image. */
 bool
-AreNearBorder(const LabelVolume & volume, const std::vector<KuhnEdge> & walls)
+AreNearBorder(const LabelDivision & division, const std::vector<VoxelBox> & boxes)
 {
-  const auto isNear = [&](const VoxelIndex & p) {
-    bool isNearAny = false;
-    for (int axis = 0; axis < 3; ++axis)
+  VoxelBox all;
+  for (std::size_t v = 0; v < boxes.size(); ++v)
+  {
+    if (division.realOf[v] != ExteriorVertex && !boxes[v].IsEmpty())
     {
-      isNearAny = isNearAny || p[axis] < Padding || p[axis] >= volume.size[axis] - Padding;
+      all.Add(boxes[v].least);
+      all.Add(boxes[v].most);
     }
-    return isNearAny;
-  };
-  KuhnWallSearch search(volume);
-  return std::any_of(walls.begin(), walls.end(), [&](const KuhnEdge & start) {
-    const auto wall = search.Find(start);
-    return wall && std::any_of(wall->voxels[0].begin(), wall->voxels[0].end(), isNear);
-  });
+  }
+  bool isNearAny = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isNearAny = isNearAny || all.least[axis] < Padding || all.most[axis] >= division.volume.size[axis] - Padding;
+  }
+  return isNearAny;
 }
 
 void
@@ -89,16 +92,6 @@ IsWithin(const LabelVolume & volume, const VoxelIndex & p)
   return p[0] >= 0 && p[1] >= 0 && p[2] >= 0 && p[0] < volume.size[0] && p[1] < volume.size[1] && p[2] < volume.size[2];
 }
 
-/** Voxels of one label that hang together, and how large they are. */
-struct Region
-{
-  static constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max();
-
-  std::vector<VoxelIndex> voxels;
-  /** Voxels of the box around it. */
-  std::int64_t boxSize = 0;
-};
-
 /** In ascending order, so that nothing hangs on the order of a flood. */
 std::vector<VoxelIndex>
 EachOnce(std::vector<VoxelIndex> voxels)
@@ -112,9 +105,11 @@ EachOnce(std::vector<VoxelIndex> voxels)
 class Division
 {
 public:
-  explicit Division(LabelDivision & division)
+  /** \param boxes of the vertices of the volume. */
+  Division(LabelDivision & division, std::vector<VoxelBox> boxes)
     : m_Volume(division.volume)
     , m_RealOf(division.realOf)
+    , m_Boxes(std::move(boxes))
   {}
 
   void
@@ -134,10 +129,26 @@ public:
       {
         this->DivideVertex(vertex, surfaces);
       }
-      m_Regions.clear();
+      m_StartOf.clear();
       ofVertex.clear();
       this->AppendFaulty(ofVertex);
     }
+  }
+
+  /** Each voxel that has another vertex than at first, once. */
+  std::vector<VoxelChange>
+  TakeChanges()
+  {
+    const auto isSame = [](const VoxelChange & a, const VoxelChange & b) { return a.voxel == b.voxel; };
+    std::stable_sort(m_Changes.begin(), m_Changes.end(), [](const VoxelChange & a, const VoxelChange & b) {
+      return a.voxel < b.voxel;
+    });
+    m_Changes.erase(std::unique(m_Changes.begin(), m_Changes.end(), isSame), m_Changes.end());
+    m_Changes.erase(std::remove_if(m_Changes.begin(),
+                                   m_Changes.end(),
+                                   [this](const VoxelChange & c) { return this->At(c.voxel) == c.before; }),
+                    m_Changes.end());
+    return std::move(m_Changes);
   }
 
 private:
@@ -232,13 +243,17 @@ private:
     std::int64_t   sizes[] = { 0, 0 };
     for (const int i : { 0, 1 })
     {
-      sizes[i] = vertices[i] == ExteriorVertex ? 0 : this->RegionOf(vertices[i], i == 0 ? a : b).boxSize;
+      if (vertices[i] != ExteriorVertex)
+      {
+        sizes[i] = m_Boxes[static_cast<std::size_t>(vertices[i])].NumberOfVoxels();
+        m_StartOf.emplace(vertices[i], i == 0 ? a : b);
+      }
     }
     for (const int i : { 0, 1 })
     {
       if (vertices[i] == ExteriorVertex)
       {
-        sizes[i] = this->Flood(i == 0 ? a : b, sizes[1 - i]).boxSize;
+        sizes[i] = this->SizeOfExterior(i == 0 ? a : b, sizes[1 - i]);
       }
     }
     if (sizes[0] != sizes[1])
@@ -248,49 +263,64 @@ private:
     return vertices[0] < vertices[1] ? 0 : 1;
   }
 
-  const Region &
-  RegionOf(VertexId v, const VoxelIndex & voxel)
+  /** The voxels of the box around what hangs together with a voxel of the exterior; unbounded where that has left the
+   * image or become larger than the limit. */
+  std::int64_t
+  SizeOfExterior(const VoxelIndex & start, std::int64_t limit) const
   {
-    auto at = m_Regions.find(v);
-    if (at == m_Regions.end())
+    constexpr std::int64_t  unbounded = std::numeric_limits<std::int64_t>::max();
+    std::vector<VoxelIndex> voxels{ start };
+    KeySet                  found;
+    VoxelBox                box;
+    found.Insert(KeyOfVoxel(m_Volume, start));
+    for (std::size_t i = 0; i < voxels.size(); ++i)
     {
-      at = m_Regions.emplace(v, this->Flood(voxel, Region::Unbounded)).first;
-    }
-    return at->second;
-  }
-
-  /** The region of a voxel; unbounded where it has left the image or its box become larger than the limit. */
-  Region
-  Flood(const VoxelIndex & start, std::int64_t limit) const
-  {
-    const VertexId vertex = this->At(start);
-    Region         region{ { start }, 1 };
-    KeySet         found;
-    VoxelIndex     least = start;
-    VoxelIndex     most = start;
-    for (std::size_t i = 0; i < region.voxels.size(); ++i)
-    {
-      if (!IsWithin(m_Volume, region.voxels[i]) || region.boxSize > limit)
+      box.Add(voxels[i]);
+      if (!IsWithin(m_Volume, voxels[i]) || box.NumberOfVoxels() > limit)
       {
-        region.boxSize = Region::Unbounded;
-        return region;
+        return unbounded;
       }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        least[axis] = std::min(least[axis], region.voxels[i][axis]);
-        most[axis] = std::max(most[axis], region.voxels[i][axis]);
-      }
-      region.boxSize = std::int64_t{ most[0] - least[0] + 1 } * (most[1] - least[1] + 1) * (most[2] - least[2] + 1);
       for (const VoxelIndex & step : KuhnSteps())
       {
-        const VoxelIndex next = region.voxels[i] + step;
-        if (next != start && this->At(next) == vertex && found.Insert(KeyOfVoxel(m_Volume, next)))
+        const VoxelIndex next = voxels[i] + step;
+        if (this->At(next) == ExteriorVertex && found.Insert(KeyOfVoxel(m_Volume, next)))
         {
-          region.voxels.push_back(next);
+          voxels.push_back(next);
         }
       }
     }
-    return region;
+    return box.NumberOfVoxels();
+  }
+
+  /** The voxels of a cell that hang together with one of them, that first. */
+  std::vector<VoxelIndex>
+  Flood(const VoxelIndex & start) const
+  {
+    const VertexId    vertex = this->At(start);
+    const VoxelBox &  box = m_Boxes[static_cast<std::size_t>(vertex)];
+    std::vector<bool> isFound(static_cast<std::size_t>(box.NumberOfVoxels()), false);
+    const auto        find = [&](const VoxelIndex & p) {
+      const std::size_t row = static_cast<std::size_t>(p[2] - box.least[2]) * (box.most[1] - box.least[1] + 1) +
+                              static_cast<std::size_t>(p[1] - box.least[1]);
+      auto       at = isFound[row * (box.most[0] - box.least[0] + 1) + static_cast<std::size_t>(p[0] - box.least[0])];
+      const bool isNew = !at;
+      at = true;
+      return isNew;
+    };
+    std::vector<VoxelIndex> voxels{ start };
+    find(start);
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      for (const VoxelIndex & step : KuhnSteps())
+      {
+        const VoxelIndex next = voxels[i] + step;
+        if (this->At(next) == vertex && find(next))
+        {
+          voxels.push_back(next);
+        }
+      }
+    }
+    return voxels;
   }
 
   /** What of the exterior is at the surfaces. */
@@ -364,9 +394,13 @@ private:
   void
   DivideVertex(VertexId vertex, const Surfaces & surfaces)
   {
-    const bool    isExterior = vertex == ExteriorVertex;
-    const Region  none;
-    const auto &  cell = isExterior ? none.voxels : this->RegionOf(vertex, surfaces.front().voxels.front()).voxels;
+    const bool              isExterior = vertex == ExteriorVertex;
+    std::vector<VoxelIndex> cell;
+    if (!isExterior)
+    {
+      const auto start = m_StartOf.find(vertex);
+      cell = this->Flood(start != m_StartOf.end() ? start->second : surfaces.front().voxels.front());
+    }
     GeodesicSeeds seeds(m_Volume, isExterior ? this->FindLayer(surfaces) : this->FindNeighborhood(cell, surfaces));
     for (const Surface & surface : surfaces)
     {
@@ -378,44 +412,56 @@ private:
     {
       if (seeds.SeedOf(i) != GeodesicSeeds::None)
       {
-        m_Volume.vertices[OffsetOf(m_Volume, region[i])] = first + seeds.SeedOf(i);
+        this->Put(region[i], first + seeds.SeedOf(i));
       }
     }
     m_RealOf.resize(m_RealOf.size() + static_cast<std::size_t>(seeds.NumberOfSeeds()),
                     m_RealOf[static_cast<std::size_t>(vertex)]);
-    this->NumberRest(vertex, cell);
+    if (!isExterior)
+    {
+      this->NumberRest(vertex, cell);
+    }
+    m_Boxes.resize(m_RealOf.size());
+    m_Boxes[static_cast<std::size_t>(vertex)] = VoxelBox();
+    for (const VoxelIndex & p : isExterior ? region : cell)
+    {
+      m_Boxes[static_cast<std::size_t>(this->At(p))].Add(p);
+    }
     if (seeds.NumberOfSeeds() > 1)
     {
       this->AppendStarts(region);
     }
   }
 
-  /** What is left of a cell keeps its vertex if it is one piece; other pieces become vertices of their own. */
+  /** What is left of a cell keeps its vertex if it is one piece; other pieces become vertices of their own. Where
+   * nothing is left, the part of the last seed gets the vertex. */
   void
   NumberRest(VertexId vertex, const std::vector<VoxelIndex> & cell)
   {
+    std::vector<VoxelIndex> last;
     for (const VoxelIndex & start : cell)
     {
       if (this->At(start) == vertex)
       {
+        last = this->Flood(start);
         const auto piece = static_cast<VertexId>(m_RealOf.size());
         m_RealOf.push_back(m_RealOf[static_cast<std::size_t>(vertex)]);
-        for (const VoxelIndex & p : this->Flood(start, Region::Unbounded).voxels)
+        for (const VoxelIndex & p : last)
         {
-          m_Volume.vertices[OffsetOf(m_Volume, p)] = piece;
+          this->Put(p, piece);
         }
       }
     }
     // The last vertex is the last piece, or a seed's.
-    const VertexId last = static_cast<VertexId>(m_RealOf.size()) - 1;
-    for (const VoxelIndex & p : cell)
+    const VertexId number = static_cast<VertexId>(m_RealOf.size()) - 1;
+    for (const VoxelIndex & p : last.empty() ? cell : last)
     {
-      if (this->At(p) == last)
+      if (this->At(p) == number)
       {
-        m_Volume.vertices[OffsetOf(m_Volume, p)] = vertex;
+        this->Put(p, vertex);
       }
     }
-    m_RealOf.resize(m_RealOf.size() - (cell.empty() ? 0 : 1));
+    m_RealOf.pop_back();
   }
 
   /** Of all walls of the region. */
@@ -434,11 +480,23 @@ private:
     }
   }
 
+  void
+  Put(const VoxelIndex & p, VertexId vertex)
+  {
+    VertexId & current = m_Volume.vertices[OffsetOf(m_Volume, p)];
+    m_Changes.push_back({ p, current });
+    current = vertex;
+  }
+
   LabelVolume &           m_Volume;
   std::vector<VertexId> & m_RealOf;
   std::vector<KuhnEdge>   m_Starts;
-  /** Of vertices but the exterior, as they are at the beginning of a round. */
-  std::map<VertexId, Region> m_Regions;
+  /** All of them in their order: a voxel may change several times, or get back what it had. */
+  std::vector<VoxelChange> m_Changes;
+  /** Of each vertex, which is one piece if it is not the exterior. */
+  std::vector<VoxelBox> m_Boxes;
+  /** Where the vertices that a round has looked at begin to be listed. */
+  std::map<VertexId, VoxelIndex> m_StartOf;
 };
 
 /** The share of a cell's faces from which on a wall is nearly all of its surface. */
@@ -592,12 +650,9 @@ LabelDivision::FindDividedCells() const
 bool
 Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<SplitCell> split)
 {
-  std::vector<KuhnEdge> walls = faulty;
-  for (const SplitCell & cell : split)
-  {
-    walls.insert(walls.end(), cell.walls.begin(), cell.walls.end());
-  }
-  if (AreNearBorder(division.volume, walls))
+  std::vector<VoxelBox> boxes = FindVoxelBoxes(division.volume, division.realOf.size());
+  division.isPadded = AreNearBorder(division, boxes);
+  if (division.isPadded)
   {
     division.volume = Pad(division.volume);
     Shift(faulty);
@@ -605,9 +660,12 @@ Divide(LabelDivision & division, std::vector<KuhnEdge> faulty, std::vector<Split
     {
       Shift(cell.walls);
     }
+    boxes = FindVoxelBoxes(division.volume, division.realOf.size());
   }
   const VertexId before = division.NumberOfVertices();
-  Division(division).Run(std::move(faulty), split);
+  Division       run(division, std::move(boxes));
+  run.Run(std::move(faulty), split);
+  division.changes = run.TakeChanges();
   return division.NumberOfVertices() > before;
 }
 
@@ -658,6 +716,22 @@ FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls
       const auto starts = StartsOf(volume, wall);
       auto &     all = ofCell[wall.cells[1 - within]];
       all.insert(all.end(), starts.begin(), starts.end());
+    }
+  }
+  return ToSplitCells(std::move(ofCell));
+}
+
+std::vector<SplitCell>
+WithAllWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const std::vector<VertexId> & cells)
+{
+  std::map<VertexId, std::vector<KuhnEdge>> ofCell;
+  for (std::size_t i = 0; i < 2 * walls.size(); ++i)
+  {
+    const VertexId cell = walls[i / 2].cells[i % 2];
+    if (std::binary_search(cells.begin(), cells.end(), cell))
+    {
+      const auto starts = StartsOf(volume, walls[i / 2]);
+      ofCell[cell].insert(ofCell[cell].end(), starts.begin(), starts.end());
     }
   }
   return ToSplitCells(std::move(ofCell));

@@ -9,7 +9,7 @@
 
 #include "Nerve/ImageNerve.h"
 #include "Nerve/KuhnWall.h"
-#include "Nerve/TissuePlaces.h"
+#include "Nerve/PlaceUpdate.h"
 
 namespace tissue
 {
@@ -32,6 +32,9 @@ struct LabelDivision
   LabelVolume volume;
   /** The cell, or ExteriorVertex, that each vertex of the volume is a piece of; a whole cell's is itself. */
   std::vector<VertexId> realOf;
+  /** Of the last Divide(): whether the volume got exterior around it, and the voxels that changed beside that. */
+  bool                     isPadded = false;
+  std::vector<VoxelChange> changes;
 
   VertexId
   NumberOfVertices() const
@@ -45,7 +48,8 @@ struct LabelDivision
 };
 
 /** A cell that is to be divided although its walls are sound: it is around others, so that its surface is in pieces, or
- * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of. */
+ * one of its walls is a sphere but for a small hole, which its few corners at the hole tell nothing of, or it has
+ * handles. */
 struct SplitCell
 {
   VertexId cell;
@@ -81,6 +85,10 @@ FindFaultyWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls
  * faces), with these walls. */
 std::vector<SplitCell>
 FindCellsAround(const LabelVolume & volume, const std::vector<ImageWall> & walls, VertexId numberOfVertices);
+
+/** Cells, ascending, with all of their walls: to divide the whole of them. */
+std::vector<SplitCell>
+WithAllWalls(const LabelVolume & volume, const std::vector<ImageWall> & walls, const std::vector<VertexId> & cells);
 
 /** The cells that have several links in the nerve, with the walls of all but the largest. */
 std::vector<SplitCell>

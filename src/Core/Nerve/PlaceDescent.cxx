@@ -19,6 +19,8 @@ namespace
 /** A move must lower the energy by more than this, in corners. Differences are sums of weights near 1, so that what is
  * smaller comes from rounding alone. */
 constexpr double NoDifference = -1e-9;
+/** One tetrahedron more, or less, lowers the energy by no more than this. */
+constexpr double LargestGain = 1.0;
 /** A move that costs less than this costs nothing. With one that lowers the energy it still lowers it. */
 constexpr double LeastCost = 5e-10;
 
@@ -137,6 +139,10 @@ private:
     other[triangle.opposite] = b;
     double cost =
       m_Energy.CostOfEdge(a, b) + m_Energy.CostWithoutTetrahedron(t) + m_Energy.CostWithoutTetrahedron(other);
+    if (cost - 3.0 * LargestGain >= m_Limit)
+    {
+      return false;
+    }
     for (int i = 0; i < 4; ++i)
     {
       if (i != triangle.opposite)
@@ -243,10 +249,13 @@ private:
     {
       for (std::size_t j = i + 1; j < ring.size(); ++j)
       {
-        if (vertices[i] == vertices[j] ||
-            ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]) +
-                2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >=
-              m_Limit)
+        if (vertices[i] == vertices[j])
+        {
+          continue;
+        }
+        const double ofEdges = ofEdge + m_Energy.CostOfEdge(vertices[i], vertices[j]);
+        if (ofEdges - 2.0 * LargestGain >= m_Limit ||
+            ofEdges + 2.0 * m_Energy.CostOfTetrahedron({ { ends[0], ends[1], vertices[i], vertices[j] } }) >= m_Limit)
         {
           continue;
         }

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "Nerve/GeodesicSeeds.h"
+#include "Nerve/KuhnFragments.h"
 
 #include "Nerve/TestImages.h"
 
@@ -70,4 +71,26 @@ TEST(GeodesicSeeds, CoverASurface)
   const int before = seeds.NumberOfSeeds();
   seeds.Cover(voxels);
   EXPECT_EQ(seeds.NumberOfSeeds(), before);
+}
+
+TEST(GeodesicSeeds, HaveConnectedParts)
+{
+  for (std::uint64_t seed = 280; seed <= 300; ++seed)
+  {
+    const LabelVolume volume = Noise({ { 9, 9, 9 } }, 2, seed);
+    const auto        voxels = VoxelsOf(volume, 1);
+    GeodesicSeeds     seeds(volume, voxels);
+    Random            random(seed);
+    for (int i = 0; i < 12; ++i)
+    {
+      seeds.Add(voxels[random.Index(voxels.size())]);
+    }
+    LabelVolume parts = volume;
+    for (std::size_t i = 0; i < voxels.size(); ++i)
+    {
+      const VoxelIndex & p = voxels[i];
+      parts.vertices[static_cast<std::size_t>((p[2] * 9 + p[1]) * 9 + p[0])] = 1 + seeds.SeedOf(i);
+    }
+    EXPECT_TRUE(FindFragments(parts, 1 + seeds.NumberOfSeeds()).fragments.empty()) << seed;
+  }
 }

@@ -40,6 +40,28 @@ RandomCells(std::int32_t edge, int count, std::uint64_t seed)
   });
 }
 
+/** Of any size, down to one voxel: noise of few labels or many, checkerboards, cells with cavities, scattered pieces.
+ */
+LabelVolume
+AnyImage(std::uint64_t seed)
+{
+  Random           random(seed);
+  const auto       edge = [&] { return static_cast<std::int32_t>(1 + random.Index(10)); };
+  const VoxelIndex size{ { edge(), edge(), edge() } };
+  const auto       labels = 2 + random.Index(random.Index(2) != 0 ? 6 : 40);
+  const auto       period = static_cast<std::int32_t>(1 + random.Index(3));
+  const auto       kind = seed % 5;
+  return MakeImage(size, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    const std::size_t tile = static_cast<std::size_t>(x / period + y / period + z / period);
+    const std::size_t any = random.Index(labels);
+    const bool        isRare = random.Index(5) == 0;
+    const std::size_t ofKind[] = {
+      any, tile % 2, 1 + tile % (labels - 1), isRare ? any : std::size_t{ 1 }, isRare ? 1 + any % 2 : std::size_t{ 0 }
+    };
+    return static_cast<VertexId>(ofKind[kind]);
+  });
+}
+
 /** The pairs of cells that the complex has and the image has not, and the other way round. */
 std::pair<int, int>
 FalseAndMissingPairs(const ImageTopology & topology)
@@ -151,20 +173,23 @@ TEST(ImageTopology, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST(ImageTopology, OfAnyImageIsValidOrSaysWhereNot)
+TEST(ImageTopology, OfAnyImageIsValid)
 {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
   {
-    const auto          edge = static_cast<std::int32_t>(2 + seed % 7);
-    const LabelVolume   volume = Noise({ { edge, edge + 1, edge } }, static_cast<VertexId>(2 + seed % 30), seed);
-    const ImageTopology topology = FindImageTopology(volume, NumberOfVertices(volume));
-    std::size_t         wrong = 0;
+    SCOPED_TRACE(seed);
+    const LabelVolume   volume = AnyImage(seed);
+    const VertexId      vertices = NumberOfVertices(volume);
+    const ImageTopology topology = FindImageTopology(volume, vertices);
+    EXPECT_TRUE(topology.unsoundCells.empty());
+    const LabelVolume &      image = topology.volume.vertices.empty() ? volume : topology.volume;
+    const std::set<VertexId> present(image.vertices.begin(), image.vertices.end());
     for (const std::string & violation : FindViolations(topology.nerve.complex))
     {
-      wrong += violation.find("no sphere") != std::string::npos ? 1 : 0;
-      EXPECT_EQ(violation.find("neighbour"), std::string::npos) << violation;
-      EXPECT_EQ(violation.find("split"), std::string::npos) << violation;
+      // A vertex that has no voxel, as of a small fragment's cell or of the exterior, need not be there.
+      const bool isOfAbsent = violation.find("is in no tetrahedron") != std::string::npos &&
+                              present.count(static_cast<VertexId>(std::stoi(violation.substr(7)))) == 0;
+      EXPECT_TRUE(isOfAbsent || violation.rfind("vertex 0 ", 0) == 0) << violation;
     }
-    EXPECT_LE(wrong, topology.unsoundCells.size());
   }
 }
