@@ -121,6 +121,11 @@ public:
   GetMeanVolumeError() const;
   double
   GetMeanWallDistance() const;
+  /** From the image's walls to the mesh, and the Hausdorff distance at 95 % (WallDistance). */
+  double
+  GetMeanWallDistanceFromImage() const;
+  double
+  GetHausdorffDistance95() const;
   double
   GetMeanTriangleQuality() const;
   /** The least angle of a triangle, and within a cell between two triangles, in degrees. */

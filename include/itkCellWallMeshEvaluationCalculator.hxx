@@ -244,6 +244,20 @@ CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanWallDistance() const
 
 template <typename TLabelImage>
 double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanWallDistanceFromImage() const
+{
+  return this->GetEvaluation().distance.meanFromImage;
+}
+
+template <typename TLabelImage>
+double
+CellWallMeshEvaluationCalculator<TLabelImage>::GetHausdorffDistance95() const
+{
+  return this->GetEvaluation().distance.percentile95;
+}
+
+template <typename TLabelImage>
+double
 CellWallMeshEvaluationCalculator<TLabelImage>::GetMeanTriangleQuality() const
 {
   return this->GetEvaluation().mesh.quality.mean;

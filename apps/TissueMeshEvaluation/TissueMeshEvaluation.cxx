@@ -146,6 +146,11 @@ ToJson(const Evaluation & e)
     { "shareWithinOnePercent", m.shareWithinOnePercent },
     { "wallDistance", numberOrNull(e.distance.mean) },
     { "wallDistanceInVoxels", numberOrNull(inVoxels(e.distance.mean)) },
+    { "wallDistanceFromImage", numberOrNull(e.distance.meanFromImage) },
+    { "wallDistanceFromImageInVoxels", numberOrNull(inVoxels(e.distance.meanFromImage)) },
+    { "hausdorffDistance95", numberOrNull(e.distance.percentile95) },
+    { "hausdorffDistance95InVoxels", numberOrNull(inVoxels(e.distance.percentile95)) },
+    { "shareOfMissingWalls", e.distance.shareOfMissingWalls },
     { "shareOfFalseWalls", e.distance.shareOfFalseWalls },
     { "quality",
                             { { "mean", m.quality.mean }, { "fifthPercentile", m.quality.fifthPercentile }, { "least", m.quality.least } } },
@@ -217,6 +222,11 @@ Print(const Evaluation & e, std::ostream & stream)
   line("Wall to the same wall") << numberOrNone(e.distance.mean) << ", in voxels "
                                 << numberOrNone(e.distance.InVoxels(e.distance.mean)) << "; "
                                 << e.distance.shareOfFalseWalls << " of the area in walls that the image has not\n";
+  line("Image's wall to it, 95 % both ways")
+    << numberOrNone(e.distance.meanFromImage) << ", in voxels "
+    << numberOrNone(e.distance.InVoxels(e.distance.meanFromImage)) << "; " << numberOrNone(e.distance.percentile95)
+    << ", in voxels " << numberOrNone(e.distance.InVoxels(e.distance.percentile95)) << "; "
+    << e.distance.shareOfMissingWalls << " of the image's faces in walls that the mesh has not\n";
   line("Quality: mean, 5 %, least") << m.quality.mean << ", " << m.quality.fifthPercentile << ", " << m.quality.least
                                     << "; degenerate " << m.numberOfDegenerateTriangles << '\n';
   line("Least angle: triangle, dihedral")

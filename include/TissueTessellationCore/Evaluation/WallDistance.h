@@ -26,6 +26,14 @@ struct WallDistance
   double mean = -1.0;
   /** The share of the area that is in walls which are missing in the image. */
   double shareOfFalseWalls = 0.0;
+  /** The other way round: the mean distance of the voxel faces between two cells to the nearest triangle between the
+   * same two, in physical units; -1 where the mesh has none of them. */
+  double meanFromImage = -1.0;
+  /** The share of the faces that are in walls which are missing in the mesh, and left out. */
+  double shareOfMissingWalls = 0.0;
+  /** The Hausdorff distance at 95 %: that than which a twentieth of the mesh's area, or of the image's faces, is
+   * farther off, whichever is more; in physical units; -1 where there is none. */
+  double percentile95 = -1.0;
   /** The mean distance of each vertex's walls, in physical units; -1 where the image has none of them. */
   std::vector<double> ofVertex;
   /** The edge of a cube that has the volume of a voxel. */

@@ -18,8 +18,8 @@ struct PlaceDescentResult
   std::int64_t numberOfMoves = 0;
 };
 
-/** \brief Lowers the energy of a complex by single moves until none lowers it: 2-3, edge removal, 2-0 and 0-2. Then also
- * by moves that cost nothing, each with one that lowers the energy beside it and was not possible before.
+/** \brief Lowers the energy of a complex by single moves until none lowers it: 2-3, edge removal, 2-0 and 0-2. Then
+ * also by moves that cost nothing, each with one that lowers the energy beside it and was not possible before.
  *
  * Tetrahedra are visited in the order of their ids, then those that moves have made or touched, in their order: no
  * chance, no temperature. Links stay what they are. The nerve, where it starts, has nearly all walls and corners of the

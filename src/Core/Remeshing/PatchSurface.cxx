@@ -6,70 +6,11 @@
  *=========================================================================*/
 #include "Remeshing/PatchSurface.h"
 
+#include "Geometry/NearestInTriangle.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 namespace tissue
 {
-namespace
-{
-using Weights = std::array<double, 3>;
-
-/** Returns the weights of the point of a triangle that is nearest to p (C. Ericson, Real-Time Collision Detection,
- * 5.1.5). The regions of space whose nearest point is a corner, or on an edge, are ruled out one after the other; what
- * is left is above the inside. The products d1 to d6 tell how far p is along the edges from each corner; va, vb and vc
- * are the barycentric weights of p, projected to the triangle's plane, times the squared normal. */
-Weights
-NearestInTriangle(const Point & p, const Point & a, const Point & b, const Point & c)
-{
-  const Point  ab = b - a;
-  const Point  ac = c - a;
-  const double d1 = Dot(ab, p - a);
-  const double d2 = Dot(ac, p - a);
-  if (d1 <= 0.0 && d2 <= 0.0)
-  {
-    return { { 1.0, 0.0, 0.0 } };
-  }
-  const double d3 = Dot(ab, p - b);
-  const double d4 = Dot(ac, p - b);
-  if (d3 >= 0.0 && d4 <= d3)
-  {
-    return { { 0.0, 1.0, 0.0 } };
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-  {
-    const double v = d1 / (d1 - d3);
-    return { { 1.0 - v, v, 0.0 } };
-  }
-  const double d5 = Dot(ab, p - c);
-  const double d6 = Dot(ac, p - c);
-  if (d6 >= 0.0 && d5 <= d6)
-  {
-    return { { 0.0, 0.0, 1.0 } };
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-  {
-    const double w = d2 / (d2 - d6);
-    return { { 1.0 - w, 0.0, w } };
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-  {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return { { 0.0, 1.0 - w, w } };
-  }
-  const double sum = va + vb + vc;
-  return { { va / sum, vb / sum, vc / sum } };
-}
-
-Point
-Combine(const Weights & weights, const Point & a, const Point & b, const Point & c)
-{
-  return weights[0] * a + weights[1] * b + weights[2] * c;
-}
-} // namespace
-
 PatchSurface::PatchSurface(const WallPatch & patch)
   : m_Patch(patch)
   , m_Normals(patch.EndOfVertices(), Point{ { 0.0, 0.0, 0.0 } })
@@ -134,8 +75,8 @@ PatchSurface::FindFoot(const Point & point, std::int32_t start) const
   for (bool moved = true; moved;)
   {
     moved = false;
-    const std::int32_t at = triangle;
-    const Weights      weights = nearest.weights;
+    const std::int32_t    at = triangle;
+    const TriangleWeights weights = nearest.weights;
     for (int i = 0; i < 3; ++i)
     {
       const WallPatch::HalfEdge edge = 3 * at + (i + 1) % 3; // The edge opposite to corner i.

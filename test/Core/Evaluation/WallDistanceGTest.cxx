@@ -120,3 +120,42 @@ TEST(WallDistance, IsThatToTheNearestOfManyFaces)
     EXPECT_NEAR(MeasureWallDistance(mesh, 3, labels).mean, nearest, 1e-9);
   }
 }
+
+TEST(WallDistance, FromTheImageIsThatOfFaceCentresToTriangles)
+{
+  const TwoCells     two;
+  const LabelVolume  labels = MakeVolume(0.5);
+  const WallDistance on = MeasureWallDistance(two.MakeWall(labels, 0.0), 3, labels);
+  EXPECT_NEAR(on.meanFromImage, 0.0, 1e-6);
+  EXPECT_NEAR(on.percentile95, on.mean, 1e-6) << "all centroids are as far";
+  // The mesh has the 4 faces between the two cells, not the 40 at the exterior.
+  EXPECT_NEAR(on.shareOfMissingWalls, 40.0 / 44.0, 1e-12);
+  const WallDistance off = MeasureWallDistance(two.MakeWall(labels, 3.0), 3, labels);
+  EXPECT_NEAR(off.meanFromImage, 1.5, 1e-6);
+  EXPECT_NEAR(off.InVoxels(off.meanFromImage), 3.0, 1e-6);
+  EXPECT_NEAR(off.percentile95, off.mean, 1e-6) << "the way from the mesh is the longer one";
+}
+
+TEST(WallDistance, OfATwentiethFartherOffIsTheHausdorffDistance)
+{
+  // One of the two triangles is cut off by half: faces beyond it are the farther ones.
+  const TwoCells    two;
+  const LabelVolume labels = MakeVolume(1.0);
+  WallMesh          half = two.MakeWall(labels, 0.0);
+  half.triangles.pop_back();
+  half.wallOfTriangle.pop_back();
+  const WallDistance distance = MeasureWallDistance(half, 3, labels);
+  EXPECT_NEAR(distance.percentile95, std::sqrt(0.5), 1e-6) << "of the corner opposite to the triangle";
+  EXPECT_NEAR(distance.meanFromImage, 0.25 * std::sqrt(0.5), 1e-6);
+}
+
+TEST(WallDistance, FromTheImageIsMinusOneWithoutItsWalls)
+{
+  const TwoCells two;
+  LabelVolume    labels = MakeVolume(1.0);
+  std::fill(labels.vertices.begin(), labels.vertices.end(), 1);
+  const WallDistance distance = MeasureWallDistance(two.MakeWall(labels, 0.0), 3, labels);
+  EXPECT_EQ(distance.meanFromImage, -1.0);
+  EXPECT_EQ(distance.percentile95, -1.0);
+  EXPECT_EQ(distance.shareOfMissingWalls, 1.0);
+}
