@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Fitting/AngleMending.h"
 
+#include "Common/Algorithms.h"
 #include "Fitting/LoosePoints.h"
 #include "Mesh/WallMeshOrder.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
@@ -22,8 +23,8 @@ namespace
 constexpr int MaximumNumberOfRounds = 12;
 /** What is mended gets better than the limits by this factor, so that later small steps do not undo it. */
 constexpr double Margin = 1.15;
-/** A change must make the worst place better by this share. */
-constexpr double LeastGain = 1.01;
+/** A change must leave this share of what is too sharp, or less. */
+constexpr double LeastGain = 0.99;
 /** The lengths of the moves that are tried, over the mean edge at the point. */
 constexpr double Steps[] = { 0.3, 0.1, 0.03 };
 
@@ -56,7 +57,7 @@ public:
     }
     for (const LoosePoint & entry : loose)
     {
-      if (!m_TrianglesAt[entry.point].empty() && this->SharpnessAt(entry.point) < 1.0)
+      if (!m_TrianglesAt[entry.point].empty() && this->ExcessAt(entry.point) > 0.0)
       {
         this->Flip(entry.point);
         this->Collapse(entry.point);
@@ -136,66 +137,74 @@ private:
     return leaves;
   }
 
-  /** The length and the angles of an edge, over their limits: below 1 it is sharp. */
-  double
-  SharpnessOfEdge(PointId a, PointId b) const
+  /** How much too sharp a value is: 0 from the limit on, and without bound towards 0, so that the worst place counts
+   * most, and of several as bad ones each. */
+  static double
+  Excess(double value, double limit)
   {
-    double                          least = Distance(this->At(a), this->At(b)) / m_Limits.edgeLength;
+    constexpr double most = 1e6;
+    return value >= limit ? 0.0 : value > limit / most ? limit / value - 1.0 : most;
+  }
+
+  double
+  ExcessOfEdge(PointId a, PointId b) const
+  {
+    double                          sum = Excess(Distance(this->At(a), this->At(b)), m_Limits.edgeLength);
     const std::vector<std::int32_t> leaves = this->LeavesOf(a, b);
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {
       for (std::size_t j = i + 1; j < leaves.size(); ++j)
       {
-        const double angle = DihedralAngle(
-          this->At(a), this->At(b), this->At(this->Apex(leaves[i], a, b)), this->At(this->Apex(leaves[j], a, b)));
-        least = std::min(least, angle / m_Limits.dihedralAngle);
+        const PointId c = this->Apex(leaves[i], a, b);
+        const PointId d = this->Apex(leaves[j], a, b);
+        sum += Excess(DihedralAngle(this->At(a), this->At(b), this->At(c), this->At(d)), m_Limits.dihedralAngle);
       }
     }
-    return least;
+    return sum;
   }
 
+  /** Of some triangles and their edges. */
   double
-  SharpnessOfTriangle(std::int32_t t) const
+  ExcessOf(const std::vector<std::int32_t> & triangles) const
   {
-    const Triangle & p = m_Mesh.triangles[t];
-    return LeastAngle(this->At(p[0]), this->At(p[1]), this->At(p[2])) / m_Limits.triangleAngle;
-  }
-
-  /** The worst of some triangles and their edges. */
-  double
-  SharpnessOf(const std::vector<std::int32_t> & triangles) const
-  {
-    double                                   least = std::numeric_limits<double>::infinity();
+    double                                   sum = 0.0;
     std::vector<std::pair<PointId, PointId>> edges;
     for (const std::int32_t t : triangles)
     {
-      least = std::min(least, this->SharpnessOfTriangle(t));
+      const Triangle & p = m_Mesh.triangles[t];
+      sum += Excess(LeastAngle(this->At(p[0]), this->At(p[1]), this->At(p[2])), m_Limits.triangleAngle);
       for (int i = 0; i < 3; ++i)
       {
-        edges.push_back(std::minmax(PointId{ m_Mesh.triangles[t][i] }, PointId{ m_Mesh.triangles[t][(i + 1) % 3] }));
+        edges.push_back(std::minmax(PointId{ p[i] }, PointId{ p[(i + 1) % 3] }));
       }
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    SortUnique(edges);
     for (const auto & [a, b] : edges)
     {
-      least = std::min(least, this->SharpnessOfEdge(a, b));
+      sum += this->ExcessOfEdge(a, b);
     }
-    return least;
+    return sum;
   }
 
   double
-  SharpnessAt(PointId p) const
+  ExcessAt(PointId p) const
   {
-    return this->SharpnessOf(m_TrianglesAt[p]);
+    return this->ExcessOf(m_TrianglesAt[p]);
   }
 
-  /** As the entry has it, but with the triangles that are there now. */
+  /** Of the triangles that the point has now. */
   int
   CrossingsAt(const LoosePoint & entry) const
   {
+    return this->CrossingsOf(entry, m_TrianglesAt[entry.point]);
+  }
+
+  /** Of some triangles that are close to no others than the point's are. */
+  int
+  CrossingsOf(const LoosePoint & entry, const std::vector<std::int32_t> & triangles) const
+  {
     LoosePoint now = entry;
-    now.triangles = m_TrianglesAt[entry.point];
+    now.triangles = triangles;
     const auto isGone = [this](std::int32_t t) { return m_IsGone[t]; };
     now.close.erase(std::remove_if(now.close.begin(), now.close.end(), isGone), now.close.end());
     return CountCrossings(m_Mesh, now);
@@ -263,9 +272,9 @@ private:
     {
       return;
     }
-    const double before = this->SharpnessOf(leaves);
+    const double before = this->ExcessOf(leaves);
     const int    crossings = this->CrossingsAt(*m_Loose.at(a)) + this->CrossingsAt(*m_Loose.at(b));
-    if (before >= 1.0)
+    if (before == 0.0)
     {
       return;
     }
@@ -278,7 +287,7 @@ private:
     };
     this->SetTriangle(leaves[0], replaced(first, b, d));
     this->SetTriangle(leaves[1], replaced(second, a, c));
-    const bool isBetter = this->SharpnessOf(leaves) > LeastGain * before &&
+    const bool isBetter = this->ExcessOf(leaves) < LeastGain * before &&
                           this->CrossingsAt(*m_Loose.at(a)) + this->CrossingsAt(*m_Loose.at(b)) <= crossings;
     if (!isBetter)
     {
@@ -331,27 +340,22 @@ private:
   void
   Collapse(PointId from)
   {
-    double                          best = this->SharpnessAt(from);
+    double                          best = this->ExcessAt(from);
     const std::vector<std::int32_t> old = m_TrianglesAt[from];
-    const Point                     place = this->At(from);
     const int                       crossings = this->CrossingsAt(*m_Loose.at(from));
     PointId                         target = -1;
     for (const PointId to : this->NeighborsOf(from))
     {
       const std::vector<std::int32_t> leaves = this->LeavesOf(from, to);
-      if (best >= 1.0 || !this->MayCollapse(from, to, leaves))
+      if (best == 0.0 || !this->MayCollapse(from, to, leaves))
       {
         continue;
       }
       this->Apply(from, to, leaves);
       std::vector<std::int32_t> moved;
       std::copy_if(old.begin(), old.end(), std::back_inserter(moved), [&](std::int32_t t) { return !m_IsGone[t]; });
-      const double after = moved.empty() ? 0.0 : this->SharpnessOf(moved);
-      LoosePoint   entry = *m_Loose.at(from);
-      entry.triangles = moved;
-      const auto isGone = [this](std::int32_t t) { return m_IsGone[t]; };
-      entry.close.erase(std::remove_if(entry.close.begin(), entry.close.end(), isGone), entry.close.end());
-      if (after > LeastGain * best && CountCrossings(m_Mesh, entry) <= crossings)
+      const double after = moved.empty() ? best : this->ExcessOf(moved);
+      if (after < LeastGain * best && this->CrossingsOf(*m_Loose.at(from), moved) <= crossings)
       {
         best = after;
         target = to;
@@ -413,8 +417,8 @@ private:
     {
       return;
     }
-    double best = this->SharpnessAt(entry.point);
-    if (best >= 1.0)
+    double best = this->ExcessAt(entry.point);
+    if (best == 0.0)
     {
       return;
     }
@@ -424,10 +428,10 @@ private:
     for (const Point & proposal : this->Propose(entry))
     {
       place = proposal;
-      const double sharpness = this->SharpnessAt(entry.point);
-      if (sharpness > LeastGain * best && this->CrossingsAt(entry) <= crossings)
+      const double excess = this->ExcessAt(entry.point);
+      if (excess < LeastGain * best && this->CrossingsAt(entry) <= crossings)
       {
-        best = sharpness;
+        best = excess;
         bestPlace = proposal;
       }
     }
@@ -512,7 +516,7 @@ PointsAt(const WallMesh & mesh, const std::vector<SharpPlace> & places)
 } // namespace
 
 std::int64_t
-MendAngles(WallMesh & mesh, const AngleLimits & limits, const Execution &)
+MendAngles(WallMesh & mesh, const AngleLimits & limits)
 {
   const double            median = MedianEdgeLength(mesh);
   std::vector<SharpPlace> places = FindSharpPlaces(mesh, limits);

@@ -7,7 +7,6 @@
 #ifndef TissueTessellationCore_AngleMending_h
 #define TissueTessellationCore_AngleMending_h
 
-#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/WallAngles.h"
 
 namespace tissue
@@ -16,13 +15,13 @@ namespace tissue
  * walls, and short edges.
  *
  * At each of them it tries, in this order: to flip an edge within a wall, to collapse a short edge within a wall or
- * along a line, and to move points. A change is made where the worst place around it gets better, measured by the
- * limits, and no more triangles cross than before. Corners are moved, but never joined or taken away. What is not sharp
- * stays where it is. The result is deterministic.
+ * along a line, and to move points. A change is made where what is around it gets less sharp in all, the sum of
+ * limit / value - 1 over what is below its limit, and no more triangles cross than before. Corners are moved, but never
+ * joined or taken away. What is not sharp stays where it is. The result is deterministic.
  *
  * Returns the number of places that are still sharper. Points keep their order; some may be gone. */
 std::int64_t
-MendAngles(WallMesh & mesh, const AngleLimits & limits, const Execution & execution = Execution());
+MendAngles(WallMesh & mesh, const AngleLimits & limits);
 } // namespace tissue
 
 #endif

@@ -142,7 +142,7 @@ public:
         m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
       }
     }
-    MendAngles(mesh, AngleLimits(), m_Execution);
+    MendAngles(mesh, AngleLimits());
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
       this->VolumeStep(mesh, Guarded);
