@@ -75,16 +75,6 @@ ForEachEdge(const WallMesh & mesh, const TVisitor & visit)
   }
 }
 
-std::vector<double>
-EdgeLengths(const WallMesh & mesh)
-{
-  std::vector<double> lengths;
-  ForEachEdge(mesh, [&](PointId lower, PointId upper, const std::vector<Leaf> &) {
-    lengths.push_back(Distance(mesh.points[lower], mesh.points[upper]));
-  });
-  return lengths;
-}
-
 /** The cell on that side of a leaf where another leaf of its edge is. */
 VertexId
 CellBetween(const WallMesh & mesh, const Leaf & leaf, const Leaf & other)
@@ -95,23 +85,22 @@ CellBetween(const WallMesh & mesh, const Leaf & leaf, const Leaf & other)
   return mesh.walls[mesh.wallOfTriangle[static_cast<std::size_t>(leaf.triangle)]].cells[isInFront ? 1 : 0];
 }
 
-/** Calls visit(lower point, upper point, first leaf, second leaf, angle) for every two triangles at an edge: the least
- * angle of a cell is one of these. */
+/** Calls visit(first leaf, second leaf, angle) for every two triangles at an edge: the least angle of a cell is one of
+ * these. */
 template <typename TVisitor>
 void
-ForEachDihedral(const WallMesh & mesh, const TVisitor & visit)
+ForEachDihedral(const WallMesh & mesh, PointId lower, PointId upper, const std::vector<Leaf> & leaves,
+                const TVisitor & visit)
 {
-  ForEachEdge(mesh, [&](PointId lower, PointId upper, const std::vector<Leaf> & leaves) {
-    for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < leaves.size(); ++j)
     {
-      for (std::size_t j = i + 1; j < leaves.size(); ++j)
-      {
-        const double angle = DihedralAngle(
-          mesh.points[lower], mesh.points[upper], mesh.points[leaves[i].apex], mesh.points[leaves[j].apex]);
-        visit(lower, upper, leaves[i], leaves[j], angle);
-      }
+      const double angle =
+        DihedralAngle(mesh.points[lower], mesh.points[upper], mesh.points[leaves[i].apex], mesh.points[leaves[j].apex]);
+      visit(leaves[i], leaves[j], angle);
     }
-  });
+  }
 }
 } // namespace
 
@@ -131,7 +120,10 @@ DihedralAngle(const Point & a, const Point & b, const Point & c, const Point & d
 double
 MedianEdgeLength(const WallMesh & mesh)
 {
-  const std::vector<double> lengths = EdgeLengths(mesh);
+  std::vector<double> lengths;
+  ForEachEdge(mesh, [&](PointId lower, PointId upper, const std::vector<Leaf> &) {
+    lengths.push_back(Distance(mesh.points[lower], mesh.points[upper]));
+  });
   return lengths.empty() ? 0.0 : Median(lengths);
 }
 
@@ -145,7 +137,15 @@ MeasureWallAngles(const WallMesh & mesh, VertexId numberOfVertices)
     angles.minimumTriangleAngle =
       std::min(angles.minimumTriangleAngle, LeastAngle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
   }
-  const std::vector<double> lengths = EdgeLengths(mesh);
+  std::vector<double> lengths;
+  ForEachEdge(mesh, [&](PointId lower, PointId upper, const std::vector<Leaf> & leaves) {
+    lengths.push_back(Distance(mesh.points[lower], mesh.points[upper]));
+    ForEachDihedral(mesh, lower, upper, leaves, [&](const Leaf & a, const Leaf & b, double angle) {
+      const VertexId cell = CellBetween(mesh, a, b);
+      double &       least = angles.minimumDihedralOfCell[static_cast<std::size_t>(cell)];
+      least = cell == ExteriorVertex ? least : std::min(least, angle);
+    });
+  });
   if (!lengths.empty())
   {
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
@@ -153,11 +153,6 @@ MeasureWallAngles(const WallMesh & mesh, VertexId numberOfVertices)
     angles.longestEdge = *most;
     angles.medianEdge = Median(lengths);
   }
-  ForEachDihedral(mesh, [&](PointId, PointId, const Leaf & a, const Leaf & b, double angle) {
-    const VertexId cell = CellBetween(mesh, a, b);
-    double &       least = angles.minimumDihedralOfCell[static_cast<std::size_t>(cell)];
-    least = cell == ExteriorVertex ? least : std::min(least, angle);
-  });
   for (const double angle : angles.minimumDihedralOfCell)
   {
     angles.minimumDihedralAngle = std::min(angles.minimumDihedralAngle, angle);
@@ -181,21 +176,20 @@ FindSharpPlaces(const WallMesh & mesh, const AngleLimits & limits)
   }
   const double median = MedianEdgeLength(mesh);
   ForEachEdge(mesh, [&](PointId lower, PointId upper, const std::vector<Leaf> & leaves) {
-    const double length = Distance(mesh.points[lower], mesh.points[upper]) / median;
+    const Triangle edge{ { lower, upper, -1 } };
+    const WallId   first = mesh.wallOfTriangle[static_cast<std::size_t>(leaves[0].triangle)];
+    const double   length = Distance(mesh.points[lower], mesh.points[upper]) / median;
     if (!(length >= limits.edgeLength))
     {
-      const WallId wall = mesh.wallOfTriangle[static_cast<std::size_t>(leaves[0].triangle)];
-      places.push_back(
-        { SharpPlace::Kind::EdgeLength, length, mesh.walls[wall].cells[0], wall, { { lower, upper, -1 } } });
+      places.push_back({ SharpPlace::Kind::EdgeLength, length, mesh.walls[first].cells[0], first, edge });
     }
-  });
-  ForEachDihedral(mesh, [&](PointId lower, PointId upper, const Leaf & a, const Leaf & b, double angle) {
-    if (!(angle >= limits.dihedralAngle))
-    {
-      const WallId wall = mesh.wallOfTriangle[static_cast<std::size_t>(a.triangle)];
-      places.push_back(
-        { SharpPlace::Kind::DihedralAngle, angle, CellBetween(mesh, a, b), wall, { { lower, upper, -1 } } });
-    }
+    ForEachDihedral(mesh, lower, upper, leaves, [&](const Leaf & a, const Leaf & b, double angle) {
+      if (!(angle >= limits.dihedralAngle))
+      {
+        const WallId wall = mesh.wallOfTriangle[static_cast<std::size_t>(a.triangle)];
+        places.push_back({ SharpPlace::Kind::DihedralAngle, angle, CellBetween(mesh, a, b), wall, edge });
+      }
+    });
   });
   return places;
 }

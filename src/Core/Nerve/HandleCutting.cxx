@@ -118,12 +118,6 @@ SimpleSets()
   return sets;
 }
 
-std::size_t
-OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
-{
-  return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
-}
-
 /** \brief The voxels of a cell, in a box of their own with two voxels around it, in which a voxel is a place. */
 class CellShape
 {

@@ -27,6 +27,13 @@ operator+(const VoxelIndex & a, const VoxelIndex & b)
   return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
 }
 
+/** Where LabelVolume::vertices has a voxel of the image. */
+inline std::size_t
+OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
+{
+  return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
+}
+
 /** A number of its own for each voxel of an image and for those outside that are not farther from it than two. */
 std::int64_t
 KeyOfVoxel(const LabelVolume & volume, const VoxelIndex & p);

@@ -80,12 +80,6 @@ Pad(const LabelVolume & volume)
   return padded;
 }
 
-std::size_t
-OffsetOf(const LabelVolume & volume, const VoxelIndex & p)
-{
-  return (static_cast<std::size_t>(p[2]) * volume.size[1] + p[1]) * volume.size[0] + p[0];
-}
-
 bool
 IsWithin(const LabelVolume & volume, const VoxelIndex & p)
 {
