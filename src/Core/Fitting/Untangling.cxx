@@ -86,7 +86,7 @@ Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
 }
 } // namespace
 
-std::int64_t
+UntanglingCounts
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
 {
   // A local search over the corners of the crossing triangles. They are few, so that all their moves are tested against
@@ -95,6 +95,8 @@ Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
   constexpr int             searchesPerSweep = 3;
   Random                    random(1);
   std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);
+  UntanglingCounts          counts;
+  counts.before = static_cast<std::int64_t>(crossings.size());
   for (int sweep = 0; sweep < maximumSweeps && !crossings.empty(); ++sweep)
   {
     const std::vector<LoosePoint> loose = CollectLoosePoints(mesh, CornersOf(mesh, crossings));
@@ -107,6 +109,7 @@ Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
     }
     crossings = FindCrossings(mesh, execution);
   }
-  return static_cast<std::int64_t>(crossings.size());
+  counts.after = static_cast<std::int64_t>(crossings.size());
+  return counts;
 }
 } // namespace tissue

@@ -12,12 +12,19 @@
 
 namespace tissue
 {
+/** Numbers of pairs of crossing triangles. */
+struct UntanglingCounts
+{
+  std::int64_t before = 0;
+  std::int64_t after = 0;
+};
+
 /** \brief Moves the points of crossing triangles until none cross, by a local search: of some places towards its
  * neighbours' mean and some at random, each point takes the one where its triangles cross the fewest others.
  *
- * It is meant for a mesh of few crossings, such as a fitted star. The result is deterministic. Returns the number of
- * pairs that still cross after `maximumSweeps`, which is 0 except in hopeless cases. */
-std::int64_t
+ * It is meant for a mesh of few crossings, such as a fitted star. The result is deterministic. After
+ * `maximumSweeps` no pairs cross, except in hopeless cases. */
+UntanglingCounts
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution = Execution());
 } // namespace tissue
 

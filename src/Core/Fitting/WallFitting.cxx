@@ -36,8 +36,10 @@ namespace
 /** The most sweeps of the untangling. Real and synthetic stars are free of crossings after far fewer; what is left then
  * stays, and is reported. */
 constexpr int UntanglingSweeps = 60;
-/** The largest change of a cell's volume in one step, over the wanted volume: the step is exact to first order only. */
+/** The largest change of a cell's volume in one step, over the wanted volume: the step is exact to first order only.
+ * At the end nothing follows that draws tiny cells away from their volumes again, and few steps are to be enough. */
 constexpr double VolumeShare = 0.15;
+constexpr double LastVolumeShare = 0.5;
 /** Edges grow with a cell's volume to this power, so that small cells get more triangles than their share of the area.
  */
 constexpr double SizeExponent = 0.25;
@@ -48,7 +50,7 @@ constexpr double StarShare = 0.1;
 constexpr int FirstStarRounds = 3;
 constexpr int LastStarRounds = 8;
 /** The rounds of projection, improvement and volumes after the first, the second and the third remeshing. */
-constexpr int RoundsPerMeshing[] = { 3, 1, 3 };
+constexpr int RoundsPerMeshing[] = { 2, 1, 2 };
 /** The most steps towards the volumes at the end. Cells that the guard holds back get there by small steps. */
 constexpr int LastVolumeSteps = 10;
 /** The relative difference of a cell's volume from the wanted one below which nothing is left to do. */
@@ -92,9 +94,9 @@ public:
     this->LiftCenters(mesh);
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_Execution);
-    statistics.untangledPairs = static_cast<std::int64_t>(FindCrossings(mesh, m_Execution).size());
-    statistics.crossingPairs = Untangle(mesh, UntanglingSweeps, m_Execution);
-    statistics.untangledPairs -= statistics.crossingPairs;
+    const UntanglingCounts crossings = Untangle(mesh, UntanglingSweeps, m_Execution);
+    statistics.untangledPairs = crossings.before - crossings.after;
+    statistics.crossingPairs = crossings.after;
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
     this->FitStar(mesh, FirstStarRounds);
     return mesh;
@@ -105,7 +107,7 @@ public:
   {
     for (int round = 0; round < rounds; ++round)
     {
-      this->VolumeStep(mesh, Unfolded);
+      this->VolumeStep(mesh, VolumeShare, Unfolded);
     }
   }
 
@@ -145,7 +147,7 @@ public:
     MendAngles(mesh, AngleLimits());
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
-      this->VolumeStep(mesh, Guarded);
+      this->VolumeStep(mesh, LastVolumeShare, Guarded);
       done += 1.0;
       m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
     }
@@ -244,10 +246,10 @@ private:
   }
 
   void
-  VolumeStep(WallMesh & mesh, const AngleLimits & limits) const
+  VolumeStep(WallMesh & mesh, double share, const AngleLimits & limits) const
   {
     const std::vector<Point> before = mesh.points;
-    FitVolumes(mesh, m_Volumes, VolumeShare);
+    FitVolumes(mesh, m_Volumes, share);
     StepBackFromCrossings(mesh, before, GuardShares, limits, m_Execution);
   }
 
@@ -275,7 +277,10 @@ private:
     SubdivideWalls(star, lengths, m_Execution);
     statistics.starWalls = MendCrossingWalls(mesh, star, m_Execution);
     // Stars whose lines have got points may cross others again.
-    Untangle(mesh, UntanglingSweeps, m_Execution);
+    if (statistics.starWalls > 0)
+    {
+      Untangle(mesh, UntanglingSweeps, m_Execution);
+    }
     return lengths;
   }
 

@@ -23,8 +23,9 @@ MeanExtent(const Box & box)
 }
 } // namespace
 
-BoxGrid::BoxGrid(const std::vector<Box> & boxes)
+BoxGrid::BoxGrid(const std::vector<Box> & boxes, std::vector<std::int32_t> groups)
   : m_Boxes(boxes)
+  , m_Groups(std::move(groups))
 {
   this->FindLongBoxes();
   Box    all = boxes[m_InGrid.front()];

@@ -18,11 +18,14 @@ namespace tissue
 
 /** \brief Finds the pairs of boxes that overlap, by a flat grid of about as many cells as boxes. At least one box; the
  * boxes must outlive the grid. The few that are far longer than the mean are compared with all, beside the grid: they
- * would make its cells too large for the others. */
+ * would make its cells too large for the others.
+ *
+ * `groups`, if not empty, has a number for each box: of boxes of one group that follow each other pairs may be left
+ * out, and are where that saves time. */
 class BoxGrid
 {
 public:
-  explicit BoxGrid(const std::vector<Box> & boxes);
+  explicit BoxGrid(const std::vector<Box> & boxes, std::vector<std::int32_t> groups = {});
 
   std::int64_t
   NumberOfLayers() const
@@ -39,11 +42,13 @@ public:
     const std::int64_t perLayer = m_Size[0] * m_Size[1];
     for (std::int64_t cell = layer * perLayer; cell < (layer + 1) * perLayer; ++cell)
     {
-      const auto members = m_Members[static_cast<std::size_t>(cell)];
+      const auto           members = m_Members[static_cast<std::size_t>(cell)];
+      const std::int32_t * next = members.begin();
       for (const std::int32_t * i = members.begin(); i != members.end(); ++i)
       {
         const Box & a = m_Boxes[*i];
-        for (const std::int32_t * j = i + 1; j != members.end(); ++j)
+        next = this->SkipGroup(i, std::max(next, i + 1), members.end());
+        for (const std::int32_t * j = next; j != members.end(); ++j)
         {
           const Box & b = m_Boxes[*j];
           if (Overlap(a, b) && this->CellOf({ { std::max(a.lower[0], b.lower[0]),
@@ -62,6 +67,17 @@ public:
   }
 
 private:
+  /** The first of next ... end - 1 that is not of the group of i, or end. */
+  const std::int32_t *
+  SkipGroup(const std::int32_t * i, const std::int32_t * next, const std::int32_t * end) const
+  {
+    while (!m_Groups.empty() && next != end && m_Groups[*next] == m_Groups[*i])
+    {
+      ++next;
+    }
+    return next;
+  }
+
   /** Parts the boxes in m_InGrid, never empty, and m_Long, both ascending. */
   void
   FindLongBoxes();
@@ -118,6 +134,7 @@ private:
   }
 
   const std::vector<Box> &    m_Boxes;
+  std::vector<std::int32_t>   m_Groups;
   Point                       m_Lower{};
   double                      m_CellSize = 1.0;
   std::array<std::int64_t, 3> m_Size{};

@@ -50,14 +50,56 @@ TurnedTo(const std::vector<Point> & points, const Triangle & t, int position)
   return { { points[t[position]], points[t[second]], points[t[next[second]]] } };
 }
 
+/** \brief The plane of a triangle, which tells the side of many points faster than Orientation() does. */
+class Plane
+{
+public:
+  explicit Plane(const std::array<Point, 3> & triangle)
+    : m_Triangle(triangle)
+  {
+    const Point u = triangle[1] - triangle[0];
+    const Point v = triangle[2] - triangle[0];
+    m_Normal = Cross(u, v);
+    m_Bound = MostOf(u) * MostOf(v);
+  }
+
+  /** Orientation() of the triangle and the point. */
+  int
+  SideOf(const Point & p) const
+  {
+    // With e = 2^-53 a coordinate of the normal is off by at most 8 e times the product of the largest coordinates of
+    // the two edges, and the product by at most 34 e times all three largest: 3.8e-15, rounded up.
+    constexpr double bound = 1e-14;
+    const Point      w = p - m_Triangle[0];
+    const double     product = Dot(m_Normal, w);
+    if (std::abs(product) > bound * m_Bound * MostOf(w))
+    {
+      return product > 0.0 ? 1 : -1;
+    }
+    return Orientation(m_Triangle[0], m_Triangle[1], m_Triangle[2], p);
+  }
+
+private:
+  static double
+  MostOf(const Point & v)
+  {
+    return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  }
+
+  const std::array<Point, 3> & m_Triangle;
+  Point                        m_Normal;
+  double                       m_Bound = 0.0;
+};
+
 /** Whether all points of a triangle, from the given one on, are on the same side of the plane of another. */
 bool
-IsBeside(const std::array<Point, 3> & triangle, int from, const std::array<Point, 3> & plane)
+IsBeside(const std::array<Point, 3> & triangle, int from, const std::array<Point, 3> & other)
 {
-  const int side = FilteredOrientation(plane[0], plane[1], plane[2], triangle[from]);
+  const Plane plane(other);
+  const int   side = plane.SideOf(triangle[from]);
   for (int i = from + 1; side != 0 && i < 3; ++i)
   {
-    if (FilteredOrientation(plane[0], plane[1], plane[2], triangle[i]) != side)
+    if (plane.SideOf(triangle[i]) != side)
     {
       return false;
     }

@@ -83,37 +83,62 @@ IndicatorField::LengthInVoxels(const Point & vector) const
   return Norm({ { Dot(m_Inverse[0], vector), Dot(m_Inverse[1], vector), Dot(m_Inverse[2], vector) } });
 }
 
+bool
+IndicatorField::IsWithin(int x, int y, int z) const
+{
+  return x >= 0 && y >= 0 && z >= 0 && x + 4 <= m_Volume.size[0] && y + 4 <= m_Volume.size[1] &&
+         z + 4 <= m_Volume.size[2];
+}
+
+IndicatorField::Row
+IndicatorField::RowWithin(int x, int y, int z) const
+{
+  const VertexId * first =
+    m_Volume.vertices.data() + (static_cast<std::size_t>(z) * m_Volume.size[1] + y) * m_Volume.size[0] + x;
+  return { { first[0], first[1], first[2], first[3] } };
+}
+
+IndicatorField::Row
+IndicatorField::RowAt(int x, int y, int z) const
+{
+  return { { m_Volume.At(x, y, z), m_Volume.At(x + 1, y, z), m_Volume.At(x + 2, y, z), m_Volume.At(x + 3, y, z) } };
+}
+
 IndicatorField::Sample
 IndicatorField::Evaluate(const Point & point, const VertexQuadruple & cells, int count) const
 {
   // An indicator is the sum over its cell's voxels, of the 4 x 4 x 4 about the point, of the product of the three
-  // splines. Gradients are summed along the axes of the image; the rows of m_Inverse then turn them into physical ones.
+  // splines. Rows of voxels are summed along the first axis, and their sums weighed by the two other splines. Gradients
+  // are summed along the axes of the image; the rows of m_Inverse then turn them into physical ones.
   const Point          offset = point - m_Volume.origin;
   const Spline         x = SplineAt(Dot(m_Inverse[0], offset));
   const Spline         y = SplineAt(Dot(m_Inverse[1], offset));
   const Spline         z = SplineAt(Dot(m_Inverse[2], offset));
+  const bool           isWithin = this->IsWithin(x.first, y.first, z.first);
   Sample               sample;
   std::array<Point, 4> gradients{};
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
     {
+      const Row row =
+        isWithin ? this->RowWithin(x.first, y.first + j, z.first + k) : this->RowAt(x.first, y.first + j, z.first + k);
       const double yz = y.weights[j] * z.weights[k];
       const double dyz = y.derivatives[j] * z.weights[k];
       const double ydz = y.weights[j] * z.derivatives[k];
-      for (int i = 0; i < 4; ++i)
+      for (int c = 0; c < count; ++c)
       {
-        const VertexId vertex = m_Volume.At(x.first + i, y.first + j, z.first + k);
-        for (int c = 0; c < count; ++c)
+        double weight = 0.0;
+        double derivative = 0.0;
+        for (int i = 0; i < 4; ++i)
         {
-          if (cells[c] == vertex)
-          {
-            sample.values[c] += x.weights[i] * yz;
-            gradients[c][0] += x.derivatives[i] * yz;
-            gradients[c][1] += x.weights[i] * dyz;
-            gradients[c][2] += x.weights[i] * ydz;
-          }
+          weight += row[i] == cells[c] ? x.weights[i] : 0.0;
+          derivative += row[i] == cells[c] ? x.derivatives[i] : 0.0;
         }
+        sample.values[c] += weight * yz;
+        gradients[c][0] += derivative * yz;
+        gradients[c][1] += weight * dyz;
+        gradients[c][2] += weight * ydz;
       }
     }
   }

@@ -49,6 +49,19 @@ public:
   LengthInVoxels(const Point & vector) const;
 
 private:
+  /** The vertices of four voxels along the first axis. */
+  using Row = std::array<VertexId, 4>;
+
+  /** Whether the 4 x 4 x 4 voxels from this one on are all in the image. */
+  bool
+  IsWithin(int x, int y, int z) const;
+  /** The row from this voxel on, which must be in the image. */
+  Row
+  RowWithin(int x, int y, int z) const;
+  /** The row from this voxel on, be it in the image or not. */
+  Row
+  RowAt(int x, int y, int z) const;
+
   const LabelVolume &  m_Volume;
   std::array<Point, 3> m_Inverse;
 };

@@ -9,6 +9,7 @@
 #include "Common/Algorithms.h"
 #include "Geometry/BoxGrid.h"
 #include "Geometry/TriangleCrossing.h"
+#include "Mesh/HeightField.h"
 
 #include <algorithm>
 
@@ -20,77 +21,124 @@ namespace
 std::vector<TrianglePair>
 FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, const Execution & execution)
 {
-  const auto                close = CollectClosePairs(mesh, mesh.points, mesh.points, isMarked, execution);
+  const ClosePairs          close(mesh, mesh.points, mesh.points, isMarked);
+  const auto                isLeftOut = MarkHeightFields(mesh, close.FirstOfRuns(), close.NearRuns(), execution);
+  const auto                pairs = close.Collect(isLeftOut, execution);
   std::vector<TrianglePair> crossings;
   const auto                test = [&](std::size_t i) {
-    return TrianglesCross(mesh.points, mesh.triangles[close[i][0]], mesh.triangles[close[i][1]]);
+    return TrianglesCross(mesh.points, mesh.triangles[pairs[i][0]], mesh.triangles[pairs[i][1]]);
   };
-  for (const std::size_t i : Select(close.size(), test, execution))
+  for (const std::size_t i : Select(pairs.size(), test, execution))
   {
-    crossings.push_back(close[i]);
+    crossings.push_back(pairs[i]);
   }
   std::sort(crossings.begin(), crossings.end());
   return crossings;
 }
+} // namespace
 
-/** Marks the given walls, of which there must be one at least, and those whose boxes overlap theirs. */
-std::vector<unsigned char>
-MarkNearWalls(const WallMesh & mesh, const std::vector<unsigned char> & isGiven)
+std::vector<std::size_t>
+FirstTrianglesOfRuns(const WallMesh & mesh)
 {
-  std::vector<Box>           boxes(mesh.walls.size());
-  std::vector<unsigned char> hasBox(mesh.walls.size(), 0);
+  std::vector<std::size_t> first;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const WallId wall = mesh.wallOfTriangle[t];
-    const Box    box = BoxOfTriangle(mesh.points, mesh.triangles[t]);
-    if (hasBox[wall] == 0)
+    if (t == 0 || mesh.wallOfTriangle[t] != mesh.wallOfTriangle[t - 1])
     {
-      hasBox[wall] = 1;
-      boxes[wall] = box;
+      first.push_back(t);
     }
-    Extend(boxes[wall], box.lower);
-    Extend(boxes[wall], box.upper);
   }
-  std::vector<unsigned char> isNear = isGiven;
-  const BoxGrid              grid(boxes);
+  first.push_back(mesh.triangles.size());
+  return first;
+}
+
+ClosePairs::ClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
+                       const std::vector<unsigned char> & isMarked)
+  : m_First(FirstTrianglesOfRuns(mesh))
+  , m_Boxes(mesh.triangles.size())
+  , m_IsMarked(isMarked)
+{
+  for (std::size_t t = 0; t < m_Boxes.size(); ++t)
+  {
+    const Triangle & triangle = mesh.triangles[t];
+    m_Boxes[t] = BoxOfTriangle(here, triangle);
+    for (const PointId p : triangle)
+    {
+      Extend(m_Boxes[t], there[p]);
+    }
+  }
+  this->FindNearRuns();
+}
+
+void
+ClosePairs::FindNearRuns()
+{
+  const std::size_t          numberOfRuns = m_First.size() - 1;
+  const auto                 isMarked = m_IsMarked.begin();
+  const auto                 place = [this](std::size_t run) { return static_cast<std::ptrdiff_t>(m_First[run]); };
+  std::vector<unsigned char> hasMarked;
+  for (std::size_t run = 0; run < numberOfRuns; ++run)
+  {
+    const auto end = isMarked + place(run + 1);
+    hasMarked.push_back(std::find(isMarked + place(run), end, 1) != end ? 1 : 0);
+  }
+  const auto count = static_cast<std::size_t>(std::count(hasMarked.begin(), hasMarked.end(), 1));
+  m_IsNear = hasMarked;
+  // Where most runs have marked triangles, hardly one is far from all of them.
+  if (count == 0 || 2 * count > numberOfRuns)
+  {
+    std::fill(m_IsNear.begin(), m_IsNear.end(), count > 0 ? 1 : 0);
+    return;
+  }
+  std::vector<Box> boxes;
+  for (std::size_t run = 0; run < numberOfRuns; ++run)
+  {
+    boxes.push_back(m_Boxes[m_First[run]]);
+    for (std::size_t t = m_First[run]; t < m_First[run + 1]; ++t)
+    {
+      Extend(boxes[run], m_Boxes[t].lower);
+      Extend(boxes[run], m_Boxes[t].upper);
+    }
+  }
+  const BoxGrid grid(boxes);
   for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
   {
     grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {
-      isNear[a] |= isGiven[b];
-      isNear[b] |= isGiven[a];
+      m_IsNear[a] |= hasMarked[b];
+      m_IsNear[b] |= hasMarked[a];
     });
   }
-  return isNear;
 }
-} // namespace
 
 std::vector<TrianglePair>
-CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-                  const std::vector<unsigned char> & isMarked, const Execution & execution)
+ClosePairs::Collect(const std::vector<unsigned char> & isLeftOut, const Execution & execution) const
 {
-  // The box of a triangle holds its points at both places. A grid finds the boxes that overlap, layer by layer in
-  // parallel; the layers' pairs are joined in order, so that the result is the same for any number of threads.
-  if (mesh.triangles.empty())
+  // A grid finds the boxes that overlap, layer by layer in parallel; the layers' pairs are joined in order, so that the
+  // result is the same for any number of threads. The triangles of a run that is left out are a group in it, each other
+  // one is a group of its own.
+  std::vector<Box>          boxes;
+  std::vector<std::int32_t> numbers;
+  std::vector<std::int32_t> groups;
+  for (std::size_t run = 0; run < m_IsNear.size(); ++run)
+  {
+    for (std::size_t t = m_First[run]; m_IsNear[run] != 0 && t < m_First[run + 1]; ++t)
+    {
+      boxes.push_back(m_Boxes[t]);
+      numbers.push_back(static_cast<std::int32_t>(t));
+      groups.push_back(static_cast<std::int32_t>(isLeftOut[run] != 0 ? m_First[run] : t));
+    }
+  }
+  if (boxes.empty())
   {
     return {};
   }
-  std::vector<Box> boxes(mesh.triangles.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t)
-  {
-    const Triangle & triangle = mesh.triangles[t];
-    boxes[t] = BoxOfTriangle(here, triangle);
-    for (const PointId p : triangle)
-    {
-      Extend(boxes[t], there[p]);
-    }
-  }
-  const BoxGrid                          grid(boxes);
+  const BoxGrid                          grid(boxes, std::move(groups));
   std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
   execution.For(found.size(), [&](std::size_t layer) {
     grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {
-      if (isMarked[a] != 0 || isMarked[b] != 0)
+      if (m_IsMarked[numbers[a]] != 0 || m_IsMarked[numbers[b]] != 0)
       {
-        found[layer].push_back({ { a, b } });
+        found[layer].push_back({ { numbers[a], numbers[b] } });
       }
     });
   });
@@ -102,6 +150,24 @@ CollectClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const 
   return pairs;
 }
 
+void
+ClosePairs::AppendWithin(std::size_t run, std::vector<TrianglePair> & pairs) const
+{
+  const std::vector<Box> boxes(m_Boxes.begin() + static_cast<std::ptrdiff_t>(m_First[run]),
+                               m_Boxes.begin() + static_cast<std::ptrdiff_t>(m_First[run + 1]));
+  const BoxGrid          grid(boxes);
+  const auto             first = static_cast<std::int32_t>(m_First[run]);
+  for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
+  {
+    grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {
+      if (m_IsMarked[first + a] != 0 || m_IsMarked[first + b] != 0)
+      {
+        pairs.push_back({ { first + a, first + b } });
+      }
+    });
+  }
+}
+
 std::vector<TrianglePair>
 FindCrossings(const WallMesh & mesh, const Execution & execution)
 {
@@ -111,36 +177,16 @@ FindCrossings(const WallMesh & mesh, const Execution & execution)
 std::vector<TrianglePair>
 FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls, const Execution & execution)
 {
-  if (walls.empty())
-  {
-    return {};
-  }
-  std::vector<unsigned char> isOf(mesh.walls.size(), 0);
+  std::vector<unsigned char> isGiven(mesh.walls.size(), 0);
   for (const WallId wall : walls)
   {
-    isOf[wall] = 1;
+    isGiven[wall] = 1;
   }
-  // The given walls are few, so only triangles of walls near them are tested. They are copied to a mesh of their own,
-  // and the pairs found there get their triangles' numbers in the whole mesh back.
-  const std::vector<unsigned char> isNear = MarkNearWalls(mesh, isOf);
-  WallMesh                         near;
-  std::vector<unsigned char>       isMarked;
-  std::vector<std::int32_t>        numbers;
-  near.points = mesh.points;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  std::vector<unsigned char> isMarked;
+  for (const WallId wall : mesh.wallOfTriangle)
   {
-    if (isNear[mesh.wallOfTriangle[t]] != 0)
-    {
-      near.triangles.push_back(mesh.triangles[t]);
-      isMarked.push_back(isOf[mesh.wallOfTriangle[t]]);
-      numbers.push_back(static_cast<std::int32_t>(t));
-    }
+    isMarked.push_back(isGiven[wall]);
   }
-  std::vector<TrianglePair> crossings = FindCrossingsOfMarked(near, isMarked, execution);
-  for (TrianglePair & pair : crossings)
-  {
-    pair = { { numbers[pair[0]], numbers[pair[1]] } };
-  }
-  return crossings;
+  return FindCrossingsOfMarked(mesh, isMarked, execution);
 }
 } // namespace tissue

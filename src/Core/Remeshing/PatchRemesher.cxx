@@ -16,10 +16,9 @@ namespace tissue
 {
 namespace
 {
-/** How often all edges are tried for a flip, at most, before points move, and how often flips and moves follow each
- * other once the number of points is right. More rounds take more time and find less to do. */
+/** How often all edges are tried for a flip, at most, before points move. More rounds take more time and find less to
+ * do. */
 constexpr int FlipRounds = 3;
-constexpr int FinalRounds = 2;
 /** The largest number of points within a wall at which one more and one less are tried as well. This takes three times
  * as long, and the more points there are, the less one of them matters. */
 constexpr int MostVaried = 16;
@@ -48,8 +47,8 @@ PatchRemesher::PatchRemesher(const WallPatch & patch, ChordRule mayJoin)
   }
 }
 
-void
-PatchRemesher::AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const
+PatchRemesher::Shape
+PatchRemesher::ShapeOf(Vertex a, Vertex b, Vertex c) const
 {
   // The surface's normal is the mean of those at the corners' feet. The cosine of its angle to the triangle's normal is
   // compared by squares, which saves the roots.
@@ -61,17 +60,38 @@ PatchRemesher::AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const
   const double  along = Dot(cross, up);
   const bool    upright = along > 0.0 && along * along > LeastCosine * LeastCosine * Dot(cross, cross) * Dot(up, up);
   const double  distortion = std::min(MostDistortion, TriangleDistortion(p, q, r));
-  shape.turned += upright ? 0 : 1;
-  shape.distortion += distortion;
-  shape.worst = std::max(shape.worst, distortion);
+  return { upright ? 0 : 1, distortion, distortion };
+}
+
+const PatchRemesher::Shape &
+PatchRemesher::KnownShape(HalfEdge h)
+{
+  Shape & shape = m_Shapes[h / 3];
+  if (shape.distortion == 0.0)
+  {
+    shape = this->ShapeOf(m_Patch.From(h), m_Patch.To(h), m_Patch.Opposite(h));
+  }
+  return shape;
 }
 
 PatchRemesher::Shape
-PatchRemesher::ShapeAround(Vertex v) const
+PatchRemesher::ShapeAround(Vertex v)
 {
   Shape shape;
-  m_Patch.ForEachAround(v, [&](HalfEdge h) { this->AddTriangle(shape, v, m_Patch.To(h), m_Patch.Opposite(h)); });
+  m_Patch.ForEachAround(v, [&](HalfEdge h) { shape.Add(this->KnownShape(h)); });
   return shape;
+}
+
+void
+PatchRemesher::ForgetShapesAround(Vertex v)
+{
+  m_Patch.ForEachAround(v, [&](HalfEdge h) { m_Shapes[h / 3] = Shape(); });
+}
+
+void
+PatchRemesher::ForgetAllShapes()
+{
+  m_Shapes.assign(m_Patch.EndOfHalfEdges() / 3, Shape());
 }
 
 bool
@@ -151,7 +171,7 @@ PatchRemesher::MayCollapse(HalfEdge h) const
 }
 
 PatchRemesher::Candidate
-PatchRemesher::BestCollapse(Vertex v) const
+PatchRemesher::BestCollapse(Vertex v)
 {
   const Shape before = this->ShapeAround(v);
   Candidate   best{ std::numeric_limits<double>::infinity(), WallPatch::None };
@@ -163,7 +183,7 @@ PatchRemesher::BestCollapse(Vertex v) const
       const Vertex b = m_Patch.Opposite(around);
       if (a != target && b != target)
       {
-        this->AddTriangle(after, target, a, b);
+        after.Add(this->ShapeOf(target, a, b));
       }
     });
     const Candidate candidate{ after.distortion - before.distortion, h };
@@ -222,16 +242,20 @@ PatchRemesher::FlipIfBetter(HalfEdge h)
   const Vertex b = m_Patch.To(h);
   const Vertex c = m_Patch.Opposite(h);
   const Vertex d = m_Patch.Opposite(m_Patch.Twin(h));
-  Shape        before;
-  this->AddTriangle(before, a, b, c);
-  this->AddTriangle(before, b, a, d);
-  Shape after;
-  this->AddTriangle(after, c, d, b);
-  this->AddTriangle(after, d, c, a);
+  Shape        before = this->KnownShape(h);
+  before.Add(this->KnownShape(m_Patch.Twin(h)));
+  Shape after = this->ShapeOf(c, d, b);
+  if (!after.CanBecomeBetterThan(before, 1))
+  {
+    return false;
+  }
+  after.Add(this->ShapeOf(d, c, a));
   if (!after.IsBetterThan(before) || m_Patch.AreJoined(c, d) || !this->MayJoin(c, d))
   {
     return false;
   }
+  m_Shapes[h / 3] = Shape();
+  m_Shapes[m_Patch.Twin(h) / 3] = Shape();
   m_Patch.Flip(h);
   return true;
 }
@@ -259,10 +283,21 @@ PatchRemesher::MoveIfBetter(Vertex v, const Point & target, Shape & shape)
   const PatchSurface::Foot old = m_Feet[v];
   m_Feet[v] = m_Surface.FindFoot(target, old.triangle);
   m_Patch.SetPoint(v, m_Feet[v].point);
-  const Shape moved = this->ShapeAround(v);
-  if (moved.IsBetterThan(shape))
+  int   more = 0;
+  Shape moved;
+  bool  isPromising = true;
+  m_Patch.ForEachAround(v, [&](HalfEdge) { ++more; });
+  m_Patch.ForEachAround(v, [&](HalfEdge h) {
+    if (isPromising)
+    {
+      moved.Add(this->ShapeOf(v, m_Patch.To(h), m_Patch.Opposite(h)));
+      isPromising = moved.CanBecomeBetterThan(shape, --more);
+    }
+  });
+  if (isPromising && moved.IsBetterThan(shape))
   {
     shape = moved;
+    this->ForgetShapesAround(v);
     return true;
   }
   m_Feet[v] = old;
@@ -318,19 +353,19 @@ PatchRemesher::MoveVertices()
 void
 PatchRemesher::RemeshTo(int numberOfInteriorVertices)
 {
-  // Passes add or take away points until their number is right or none can go any more; flips and moves follow each.
+  // Passes add or take away points until their number is right or none can go any more; flips and moves follow each,
+  // and once more at the end.
+  this->ForgetAllShapes();
   for (int changed = 1; changed > 0;)
   {
     const int missing = numberOfInteriorVertices - m_Patch.NumberOfInteriorVertices();
     changed = missing > 0 ? this->SplitLongest(missing) : missing < 0 ? this->CollapseBest(-missing) : 0;
+    this->ForgetAllShapes();
     this->FlipEdges();
     this->MoveVertices();
   }
-  for (int round = 0; round < FinalRounds; ++round)
-  {
-    this->FlipEdges();
-    this->MoveVertices();
-  }
+  this->FlipEdges();
+  this->MoveVertices();
 }
 
 void

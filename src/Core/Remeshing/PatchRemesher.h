@@ -9,6 +9,7 @@
 
 #include "Remeshing/PatchSurface.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -50,11 +51,25 @@ private:
     double distortion = 0.0;
     double worst = 0.0;
 
+    void
+    Add(const Shape & other)
+    {
+      turned += other.turned;
+      distortion += other.distortion;
+      worst = std::max(worst, other.worst);
+    }
     /** Distortion must fall by a millionth, so that rounding cannot make a change and its reverse both better. */
     bool
     IsBetterThan(const Shape & other) const
     {
       return turned != other.turned ? turned < other.turned : distortion < (1.0 - 1e-6) * other.distortion;
+    }
+    /** Whether it can still become better than the other by the shapes of so many more triangles: each adds a
+     * distortion of 1 at least, but for rounding. */
+    bool
+    CanBecomeBetterThan(const Shape & other, int more) const
+    {
+      return other.turned > 0 || (turned == 0 && distortion + (1.0 - 1e-9) * more < other.distortion);
     }
   };
   /** An edge to split or to collapse, the one of least cost first. */
@@ -76,11 +91,18 @@ private:
     std::vector<PatchSurface::Foot> feet;
   };
 
-  void
-  AddTriangle(Shape & shape, Vertex a, Vertex b, Vertex c) const;
+  Shape
+  ShapeOf(Vertex a, Vertex b, Vertex c) const;
+  /** The shape of the triangle of a half-edge, which is known from then on until it is forgotten. */
+  const Shape &
+  KnownShape(HalfEdge h);
   /** Judges the triangles at a vertex. */
   Shape
-  ShapeAround(Vertex v) const;
+  ShapeAround(Vertex v);
+  void
+  ForgetShapesAround(Vertex v);
+  void
+  ForgetAllShapes();
   /** Whether an edge may join two vertices; only chords, between two vertices of the outline, can be forbidden. */
   bool
   MayJoin(Vertex a, Vertex b) const;
@@ -98,7 +120,7 @@ private:
   MayCollapse(HalfEdge h) const;
   /** Returns the legal collapse of a vertex within that adds least distortion; its edge is None where there is none. */
   Candidate
-  BestCollapse(Vertex v) const;
+  BestCollapse(Vertex v);
   /** Makes one pass of collapses, `most` of them at most, and returns their number. */
   int
   CollapseBest(int most);
@@ -119,6 +141,8 @@ private:
   ChordRule                       m_MayJoin;
   std::vector<PatchSurface::Foot> m_Feet;
   std::vector<char>               m_Claimed;
+  /** Of each triangle; the distortion of one that is not known is 0. */
+  std::vector<Shape> m_Shapes;
 };
 } // namespace tissue
 

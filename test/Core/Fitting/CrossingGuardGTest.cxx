@@ -7,6 +7,7 @@
 #include "Fitting/CrossingGuard.h"
 #include "Mesh/Crossings.h"
 #include "TwoTriangles.h"
+#include "WallSheets.h"
 
 #include <gtest/gtest.h>
 
@@ -71,4 +72,23 @@ TEST(CrossingGuard, WhatIsSharpMayGetBetter)
   const WallMesh sliver = MakeHinge({ { 0, 0.02, 0 } });
   mesh = MakeHinge({ { 0, 0.05, 0 } });
   EXPECT_EQ(StepBackFromCrossings(mesh, sliver.points, { 0.0 }, TenDegrees), 0);
+}
+
+TEST(CrossingGuard, LeavesNothingOfRandomMotionsThatCrosses)
+{
+  Random random(7);
+  int    steppedBack = 0;
+  for (int i = 0; i < 40; ++i)
+  {
+    WallMesh mesh;
+    AddSheet(mesh, 4, 0.0);
+    AddSheet(mesh, 4, 0.7);
+    const std::vector<Point> before = mesh.points;
+    Shake(mesh, 0.03 * i, random);
+    const bool isAny = !FindCrossingsOneByOne(mesh).empty();
+    steppedBack += StepBackFromCrossings(mesh, before, { 0.3, 0.0 }, NoLimits) > 0 ? 1 : 0;
+    EXPECT_TRUE(!isAny || steppedBack > 0);
+    EXPECT_TRUE(FindCrossingsOneByOne(mesh).empty());
+  }
+  EXPECT_GT(steppedBack, 10);
 }

@@ -36,7 +36,7 @@ TEST(Untangling, PartsTrianglesThatCross)
 {
   WallMesh mesh = MakeTwoTriangles(0.9);
   ASSERT_EQ(FindCrossings(mesh).size(), 1u);
-  EXPECT_EQ(Untangle(mesh, 50), 0);
+  EXPECT_EQ(Untangle(mesh, 50).after, 0);
   EXPECT_TRUE(FindCrossings(mesh).empty());
 }
 
@@ -45,7 +45,7 @@ TEST(Untangling, LeavesAMeshWithoutCrossingsAsItIs)
   const WallMesh before = FourCells();
   ASSERT_TRUE(FindCrossings(before).empty());
   WallMesh mesh = before;
-  EXPECT_EQ(Untangle(mesh, 50), 0);
+  EXPECT_EQ(Untangle(mesh, 50).after, 0);
   EXPECT_EQ(mesh.points, before.points);
 }
 
@@ -54,7 +54,7 @@ TEST(Untangling, FreesATissueByMovingPointsAlone)
   const WallMesh before = TangledCells();
   ASSERT_GT(FindCrossings(before).size(), 2u);
   WallMesh mesh = before;
-  EXPECT_EQ(Untangle(mesh, 60), 0);
+  EXPECT_EQ(Untangle(mesh, 60).after, 0);
   EXPECT_TRUE(FindCrossings(mesh).empty());
   EXPECT_EQ(mesh.triangles, before.triangles);
   EXPECT_EQ(mesh.wallOfTriangle, before.wallOfTriangle);
@@ -73,7 +73,7 @@ TEST(Untangling, PointsOfNoCrossingTriangleStay)
   mesh.wallOfTriangle.push_back(2);
   mesh.walls.emplace_back();
   const std::vector<Point> before = mesh.points;
-  EXPECT_EQ(Untangle(mesh, 50), 0);
+  EXPECT_EQ(Untangle(mesh, 50).after, 0);
   EXPECT_NE(mesh.points, before);
   for (std::size_t p = 6; p < 9; ++p)
   {
@@ -85,7 +85,7 @@ TEST(Untangling, WithoutSweepsItCountsTheCrossingsAlone)
 {
   WallMesh                 mesh = TangledCells();
   const std::vector<Point> before = mesh.points;
-  EXPECT_EQ(Untangle(mesh, 0), static_cast<std::int64_t>(FindCrossings(mesh).size()));
+  EXPECT_EQ(Untangle(mesh, 0).after, static_cast<std::int64_t>(FindCrossings(mesh).size()));
   EXPECT_EQ(mesh.points, before);
 }
 
@@ -97,7 +97,7 @@ TEST(Untangling, TellsThePairsThatNothingCanPart)
   mesh.wallOfTriangle.push_back(2);
   mesh.walls.emplace_back();
   ASSERT_EQ(FindCrossings(mesh), (std::vector<TrianglePair>{ { { 0, 2 } } }));
-  EXPECT_EQ(Untangle(mesh, 3), 1);
+  EXPECT_EQ(Untangle(mesh, 3).after, 1);
 }
 
 TEST(Untangling, IsTheSameEachTimeAndInAnyOrderOfWork)

@@ -81,3 +81,29 @@ TEST(BoxGrid, FindsThePairsOfBoxesFarLongerThanTheOthers)
   const auto layers = BoxGrid(boxes).NumberOfLayers();
   EXPECT_GE(layers, 15);
 }
+
+TEST(BoxGrid, FindsEachPairOfDifferentGroupsOnce)
+{
+  const std::vector<Box>    boxes = MakeBoxes(500, 0.1);
+  std::vector<std::int32_t> groups(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    groups[i] = static_cast<std::int32_t>(i < 400 ? i / 50 : i);
+  }
+  const BoxGrid     grid(boxes, groups);
+  std::vector<Pair> pairs;
+  for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
+  {
+    grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) { pairs.push_back({ { a, b } }); });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<Pair> expected;
+  for (const Pair & pair : FindPairsOneByOne(boxes))
+  {
+    if (groups[pair[0]] != groups[pair[1]])
+    {
+      expected.push_back(pair);
+    }
+  }
+  EXPECT_EQ(pairs, expected);
+}
