@@ -15,6 +15,30 @@ namespace tissue
 {
 namespace
 {
+void
+AddPointFileOptions(CLI::App & app, PointFileOptions & options)
+{
+  const std::string group = "Points";
+  app.add_option("--columns", options.columns, "Columns of x, y and z in a table: names, or numbers from 1 on")
+    ->expected(3)
+    ->type_name("X Y Z")
+    ->group(group);
+  app.add_option("--frame", options.frame, "Time point that is taken of a table with several, or 'all'")
+    ->type_name("T")
+    ->group(group);
+  app.add_option("--firstLine", options.firstLine, "Line of the first point in a table, where that is not found")
+    ->check(InRange(1.0, 1e9))
+    ->type_name("N")
+    ->group(group);
+  app
+    .add_option("--pointSpacing",
+                options.spacing,
+                "Size of a voxel, for points in voxels: what their coordinates are multiplied by")
+    ->check(InRange(1e-9, 1e9))
+    ->type_name("X Y Z")
+    ->group(group);
+}
+
 /** Whether the points come from a label image must be known before the files are. */
 void
 AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & options)
@@ -22,12 +46,14 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
   if (!hasLabels)
   {
     app
-      .add_option(
-        "points",
-        options.centers.file,
-        "Centres of cells or nuclei (.csv, .fcsv, .mrk.json or .vtp), or an image of nuclei; none with --centersOf")
+      .add_option("points",
+                  options.centers.file,
+                  "Centres of cells or nuclei (a table as .csv, .tsv or .txt, .fcsv, .mrk.json, .ply, .vtp), or an "
+                  "image of nuclei; "
+                  "none with --centersOf")
       ->required()
       ->type_name("FILE");
+    AddPointFileOptions(app, options.centers.points);
   }
   const std::string group = "Points";
   app
@@ -110,6 +136,10 @@ ToJson(const NucleiTessellationOptions & options)
                           { "borderMargin", d.borderMargin },
                           { "dark", d.isDark } };
   }
+  json["columns"] = centers.points.columns;
+  json["frame"] = centers.points.frame;
+  json["firstLine"] = centers.points.firstLine;
+  json["pointSpacing"] = centers.points.spacing ? nlohmann::ordered_json(*centers.points.spacing) : nullptr;
   json["box"] = centers.box;
   json["voxelsPerCell"] = centers.voxelsPerCell;
   json["layer"] = centers.layer;

@@ -9,6 +9,7 @@
 
 #include "Shared/CommandLine/RunOptions.h"
 #include "Shared/Points/NucleiSearch.h"
+#include "Shared/Points/PointFileOptions.h"
 #include "Shared/Reconstruction/MembraneInput.h"
 #include "Shared/Reconstruction/MethodOptions.h"
 #include "Shared/Reconstruction/OutputPaths.h"
@@ -25,6 +26,8 @@ struct CenterOptions
   std::string file;
   /** A label image whose cells' centres are the points, in place of a file of points; empty: none. */
   std::string centersOf;
+  /** What the file of points does not say itself. */
+  PointFileOptions points;
   /** An image that fills the box that the points were seen in; empty: that of another image, or none is known. */
   std::string box;
   /** How the nuclei are found, if their image is given in place of points. */

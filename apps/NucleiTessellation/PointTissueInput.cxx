@@ -16,6 +16,7 @@
 #include "itkPointSetToTissueLabelImageFilter.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -30,20 +31,23 @@ using PointSetType = itk::PointSet<double, 3, itk::DefaultStaticMeshTraits<doubl
 /** Centres of cells by ascending labels, and what is to be said of where they are from. */
 struct LabelledPoints
 {
-  std::vector<Point>       points;
-  std::vector<Label>       labels;
-  Label                    exteriorLabel = 0;
-  ImageDescription         image;
-  std::vector<std::string> warnings;
-  InputSeconds             seconds;
+  std::vector<Point> points;
+  std::vector<Label> labels;
+  Label              exteriorLabel = 0;
+  /** Of the labels, and of the coordinates, where the file has them. */
+  std::map<Label, std::string> names;
+  std::string                  unit;
+  ImageDescription             image;
+  std::vector<std::string>     warnings;
+  InputSeconds                 seconds;
 };
 
 /** In the order of their labels; those of a file without are numbered from 1 on. Points at the place of an earlier one
- * are left out, with a warning. */
+ * are left out, with a warning; where a cell has the label 0 the exterior's is -1. */
 LabelledPoints
-ReadPoints(const std::string & path)
+ReadPoints(const std::string & path, const PointFileOptions & options)
 {
-  PointFile file = ReadPointFile(path);
+  PointFile file = ReadPointFile(path, options);
   if (file.labels.empty())
   {
     file.labels.resize(file.points.size());
@@ -68,6 +72,8 @@ ReadPoints(const std::string & path)
     }
   }
   LabelledPoints result;
+  result.warnings = file.warnings;
+  result.unit = file.unit;
   if (!repeated.empty())
   {
     result.warnings.push_back(std::to_string(repeated.size()) + " of " + std::to_string(file.points.size()) +
@@ -78,6 +84,15 @@ ReadPoints(const std::string & path)
   {
     result.points.push_back(file.points[i]);
     result.labels.push_back(label);
+    if (!file.names.empty())
+    {
+      result.names.emplace(label, file.names[i]);
+    }
+  }
+  if (pointOfLabel.count(result.exteriorLabel) > 0)
+  {
+    result.exteriorLabel = -1;
+    result.warnings.push_back("the label 0 is that of a cell: the exterior has the label -1");
   }
   return result;
 }
@@ -130,6 +145,20 @@ FindNuclei(const std::string & path, const DetectionOptions & options, ProgressB
   return result;
 }
 
+/** \throws std::runtime_error where the file is there, but no image that ITK reads. */
+void
+RequireImageOrPoints(const std::string & path)
+{
+  using Factory = itk::ImageIOFactory;
+  if (std::filesystem::is_regular_file(path) &&
+      !Factory::CreateImageIO(path.c_str(), Factory::IOFileModeEnum::ReadMode))
+  {
+    throw std::runtime_error(
+      "neither an image in a format that ITK reads nor a file of points: tables are .csv, .tsv or "
+      ".txt, as a spreadsheet saves them, others .fcsv, .mrk.json, .ply and .vtp");
+  }
+}
+
 LabelledPoints
 ReadCells(const CenterOptions & options, ProgressBar & progress)
 {
@@ -138,7 +167,16 @@ ReadCells(const CenterOptions & options, ProgressBar & progress)
   {
     return ReadCenters(options.centersOf, progress);
   }
-  return IsPointFile(options.file) ? ReadPoints(options.file) : FindNuclei(options.file, options.detection, progress);
+  if (IsPointFile(options.file))
+  {
+    return ReadPoints(options.file, options.points);
+  }
+  if (options.points.IsOfTables() || options.points.spacing)
+  {
+    throw std::runtime_error("--columns, --frame, --firstLine and --pointSpacing are for files of points");
+  }
+  RequireImageOrPoints(options.file);
+  return FindNuclei(options.file, options.detection, progress);
 }
 
 /** An image without pixels that fills the box of a file's. */
@@ -279,10 +317,16 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
 {
   return WithFileName(options.centers.Source(), [&] {
     const LabelledPoints points = ReadCells(options.centers, progress);
+    if (options.evaluation.byLabel && !points.names.empty())
+    {
+      throw std::runtime_error("--evaluateByLabel needs labels that are numbers: here they are names");
+    }
     JunctionSet          cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
     TissueInput          input;
     input.file = options.centers.Source();
     input.numberOfPoints = points.points.size();
+    input.pointUnit = points.unit;
+    input.names = points.names;
     input.image = points.image;
     input.warnings = points.warnings;
     input.seconds = points.seconds;

@@ -55,6 +55,9 @@ TEST(DelimitedText, LinesEndInAnyWayAndEmptyOnesAreLeftOut)
     EXPECT_EQ(text.records[1].line, 6u);
     EXPECT_EQ(text.records[2].fields, (Fields{ "2" }));
     ASSERT_EQ(text.comments.size(), 1u);
+    EXPECT_TRUE(IsComment(" ## c"));
+    EXPECT_TRUE(IsComment("% c"));
+    EXPECT_FALSE(IsComment("c #"));
     EXPECT_EQ(text.comments[0].text, "c = d");
     EXPECT_EQ(text.comments[0].line, 5u);
   }
@@ -72,18 +75,25 @@ TEST(DelimitedText, QuotesHoldSeparatorsQuotesAndLineEnds)
   EXPECT_EQ(Refusal("a\nb,\"c\"d\n"), "line 2: there is text after the quoted 'c'");
 }
 
-TEST(DelimitedText, OtherEncodingsAreRefused)
+TEST(DelimitedText, SeparatorIsFoundSaidOrGiven)
 {
-  EXPECT_NE(Refusal(std::string("\xFF\xFEx\0,\0y\0", 8)).find("zero bytes, must be in UTF-8"), std::string::npos);
-}
-
-TEST(DelimitedText, SeparatorIsTheMostFrequentOfTheFirstRecord)
-{
+  EXPECT_EQ(Read(std::string("\xFF\xFEx\0,\0y\0", 8)).records[0].fields, (Fields{ "x", "y" }));
+  for (const std::string said : { "sep=;", "SEP=;", "\"sep=;\"" })
+  {
+    const auto text = Read(said + "\na,b;c\n");
+    ASSERT_EQ(text.records.size(), 1u);
+    EXPECT_EQ(text.records[0].fields, (Fields{ "a,b", "c" }));
+    EXPECT_EQ(text.records[0].line, 2u);
+  }
+  std::istringstream stream("a;b;c,d\n");
+  EXPECT_EQ(ReadDelimitedText(stream, ',').records[0].fields, (Fields{ "a;b;c", "d" }));
   EXPECT_EQ(Read("x;y;z\n1,5;2;3\n").records[1].fields, (Fields{ "1,5", "2", "3" }));
   EXPECT_EQ(Read("x\ty\tz\n\t 2\t3 \n").records[1].fields, (Fields{ "", "2", "3" }));
   EXPECT_EQ(Read("\"a;b;c;d\",y,z\n1,2;,3\n").records[1].fields, (Fields{ "1", "2;", "3" }));
   EXPECT_EQ(SplitFields("id, x,y"), (Fields{ "id", "x", "y" }));
   EXPECT_EQ(SplitFields(""), Fields());
+  EXPECT_EQ(Read("  x  y\t z \n1 \"a b\"  3\n").records[0].fields, (Fields{ "x", "y", "z" }));
+  EXPECT_EQ(Read("  x  y\t z \n1 \"a b\"  3\n").records[1].fields, (Fields{ "1", "a b", "3" }));
 }
 
 TEST(DelimitedText, NumbersAreWholeTexts)

@@ -310,7 +310,7 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
   refuse("a,b,c\n1,2,3\n", { "bad.csv: line 1: there is no column x among 'a', 'b', 'c'" });
-  refuse(four + "1,2\n", { "bad.csv: line 6: there are 2 columns, at least 3 are needed" });
+  refuse(four + "1,2\n", { "bad.csv: line 6: there are 2 values, but 3 names, in line 1" });
   refuse(four + "1,two,3\n", { "bad.csv: line 6: 'two' in column 2 ('y') is no number" });
   refuse(four + "1,2,\n", { "bad.csv: line 6" });
   refuse(four + "1,nan,3\n", { "bad.csv: line 6: 'nan' in column 2 ('y') must be finite" });
@@ -321,7 +321,7 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
          { "bad.csv: The point of label 5 has the coordinate 1e+300, must be finite and at most" });
   refuse("0,0,0\n1e-300,0,0\n0,1e-300,0\n0,0,1e-300\n", { "bad.csv: The points extend over 1e-300, must be 1e-30" });
   refuse("Label,x,y,z\n1,0,0,0\n1,5,0,0\n", { "bad.csv: line 3 has the label 1 of line 2" });
-  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: '1.5' in column 1 ('Label') is no whole number above 0" });
+  refuse("Label,x,y,z\n1.5,0,0,0\n", { "bad.csv: line 2: '1.5' in column 1 ('Label') is no whole number from 0 on" });
   refuse("# CoordinateSystem = XYZ\n", { "bad.fcsv: line 1: the coordinate system 'XYZ'" }, "bad.fcsv");
   refuse("not XML", { "bad.vtp: ", "no VTK file of polygonal data" }, "bad.vtp");
 }

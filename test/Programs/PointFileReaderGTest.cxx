@@ -169,21 +169,41 @@ TEST_F(PointFiles, CoordinatesByTheNamesOfTheirColumns)
   EXPECT_EQ(swapped.labels, (std::vector<Label>{ 7 }));
 }
 
-TEST_F(PointFiles, ColumnsThatMayBeMeantOtherwiseAreRefused)
+TEST_F(PointFiles, OfEveryExtensionOfATable)
 {
-  const auto refusal = [this](const std::string & header) { return Refusal(Write("a.csv", header + "\n1,2,3,4\n")); };
-  EXPECT_EQ(refusal("x_um,y,z,X (mm)"), "line 1: the columns 'x_um' and 'X (mm)' both are x");
-  EXPECT_EQ(refusal("x,y,z,Z"), "line 1: the columns 'z' and 'Z' both are z");
-  EXPECT_EQ(refusal("x_um,y_um,z_mm,n"), "line 1: the columns 'x_um' and 'z_mm' are of different units");
-  EXPECT_EQ(refusal("x,y,label,z,Label"), "line 1: the columns 3 and 5 both are the label");
-  EXPECT_NE(refusal("label,centroid-0,centroid-1,centroid-2")
-              .find("line 1: the column 'centroid-0' is numbered by the axes of an array, of which the first is mostly "
-                    "z: name its columns x, y and z"),
-            std::string::npos);
-  EXPECT_NE(refusal("x_px,y_px,z_px,x_error")
-              .find("line 1: there is no column x among 'x_px', 'y_px', 'z_px', 'x_error'; accepted are x, center_x"),
-            std::string::npos);
-  EXPECT_NE(refusal("0,1,2,3").find("line 1: there are 4 columns and no line of their names"), std::string::npos);
+  for (const std::string extension : { ".csv", ".TSV", ".tab", ".txt", ".xls", ".dat", ".xyz", ".marker", ".apo" })
+  {
+    const std::string path = Write("a" + extension, "x y z\n1 2 3\n");
+    EXPECT_TRUE(IsPointFile(path)) << extension;
+    EXPECT_EQ(ReadPointFile(path).points, (std::vector<Point>{ { { 1, 2, 3 } } })) << extension;
+  }
+  EXPECT_FALSE(IsPointFile("a.tif"));
+  const std::string ply = Write("a.ply",
+                                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                                "property float z\nend_header\n1 2 3\n");
+  EXPECT_TRUE(IsPointFile(ply));
+  EXPECT_EQ(ReadPointFile(ply).points, (std::vector<Point>{ { { 1, 2, 3 } } }));
+}
+
+TEST_F(PointFiles, OptionsSayWhatTheFileDoesNot)
+{
+  PointFileOptions options;
+  options.spacing = { { 0.5, 2.0, 10.0 } };
+  const auto scaled = ReadPointFile(Write("a.csv", "x_um,y_um,z_um\n1,2,3\n"), options);
+  EXPECT_EQ(scaled.points, (std::vector<Point>{ { { 0.5, 4.0, 30.0 } } }));
+  EXPECT_EQ(scaled.unit, "");
+  options.columns = { "3", "2", "1" };
+  EXPECT_EQ(ReadPointFile(Write("a.csv", "a,b,c\n1,2,3\n"), options).points[0], (Point{ { 1.5, 4.0, 10.0 } }));
+  const std::string path = Write("a.fcsv", "# columns = id,x,y,z\n1,2,3,4\n");
+  try
+  {
+    ReadPointFile(path, options);
+    ADD_FAILURE();
+  }
+  catch (const std::runtime_error & error)
+  {
+    EXPECT_EQ(std::string(error.what()), "--columns, --frame and --firstLine are for tables (.csv, .tsv, .txt, ...)");
+  }
 }
 
 TEST_F(PointFiles, TextAsOtherToolsWriteIt)
@@ -283,12 +303,11 @@ TEST_F(PointFiles, SaysWhatIsWrongAndWhere)
             std::string::npos);
   EXPECT_EQ(Refusal(Write("b.csv", "x,y,z\n1,2,3\n1,two,3\n")), "line 3: 'two' in column 2 ('y') is no number");
   EXPECT_EQ(Refusal(Write("b.csv", "1,2,3\n1,2,\n")), "line 2: '' in column 3 is no number");
-  EXPECT_EQ(Refusal(Write("b.csv", "x;y;z\n1;2,5;3\n")), "line 2: '2,5' in column 2 ('y') is no number");
-  EXPECT_EQ(Refusal(Write("c.csv", "x,y,z\n1,2\n")), "line 2: there are 2 columns, at least 3 are needed");
+  EXPECT_EQ(Refusal(Write("c.csv", "x,y,z\n1,2\n")), "line 2: there are 2 values, but 3 names, in line 1");
   EXPECT_EQ(Refusal(Write("d.csv", "x,y,z\n1,2,nan\n")), "line 2: 'nan' in column 3 ('z') must be finite");
   EXPECT_EQ(Refusal(Write("d.csv", "x,y,z\n1e999,2,3\n")), "line 2: '1e999' in column 1 ('x') must be finite");
   EXPECT_EQ(Refusal(Write("d.csv", "x,y,z,label\n1,2,3,-4\n")),
-            "line 2: '-4' in column 4 ('label') is no whole number above 0");
+            "line 2: '-4' in column 4 ('label') is no whole number from 0 on");
   EXPECT_EQ(Refusal(Write("d.csv", "x,y,z\n1,\"2,3\n")), "line 2: a quote is not closed");
   EXPECT_EQ(Refusal(Write("e.fcsv", "# columns = id,x,y,z\n1,2,3\n")),
             "line 2: there are 3 columns, at least 4 are needed");

@@ -11,6 +11,8 @@
 #include "TissueTessellationVTKBridge.h"
 
 #include <gtest/gtest.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -93,6 +95,20 @@ TEST_F(VTKFilesTest, TheTableIsCommaSeparatedWithExactNumbers)
     "EulerCharacteristic,MinimumDihedralAngle,IsClosed,TouchesExterior,TouchesBorder,NumberOfPieces,NumberOfVoxels,"
     "NumberOfStrayVoxels");
   EXPECT_EQ(row, "10,123456.78901234567,0.5,0.5,1,0.875,6,2,12,2,90,1,1,0,1,1001,0");
+}
+
+TEST_F(VTKFilesTest, TextInTheTableIsQuotedWhereItMustBe)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  for (const char * name : { "cell 1", "a,b", "a \"b\"", "" })
+  {
+    names->InsertNextValue(name);
+  }
+  vtkNew<vtkTable> table;
+  table->AddColumn(names);
+  tissue::WriteCSV(table, PathOf("a.csv"));
+  EXPECT_EQ(ReadBytes(PathOf("a.csv")), "Name\ncell 1\n\"a,b\"\n\"a \"\"b\"\"\"\n\n");
 }
 
 #ifdef __unix__

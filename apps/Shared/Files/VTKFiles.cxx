@@ -20,6 +20,7 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
@@ -61,9 +62,32 @@ WriteOrThrow(TWriter * writer, const std::string & path)
   }
 }
 
+/** In quotes where it must be. */
 void
-AppendValue(std::string & row, vtkDataArray * column, vtkIdType index)
+AppendText(std::string & row, const std::string & text)
 {
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    row += text;
+    return;
+  }
+  row += '"';
+  for (const char c : text)
+  {
+    row += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  row += '"';
+}
+
+void
+AppendValue(std::string & row, vtkAbstractArray * values, vtkIdType index)
+{
+  if (auto * const texts = vtkStringArray::SafeDownCast(values))
+  {
+    AppendText(row, texts->GetValue(index));
+    return;
+  }
+  vtkDataArray * const column = vtkDataArray::SafeDownCast(values);
   if (column->GetDataType() != VTK_DOUBLE)
   {
     row += std::to_string(column->GetVariantValue(index).ToTypeInt64());
@@ -130,7 +154,7 @@ WriteCSV(vtkTable * table, const std::string & path)
     for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
     {
       text += column == 0 ? "" : ",";
-      AppendValue(text, vtkDataArray::SafeDownCast(table->GetColumn(column)), row);
+      AppendValue(text, table->GetColumn(column), row);
     }
     text += '\n';
   }

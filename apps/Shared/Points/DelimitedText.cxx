@@ -6,8 +6,10 @@
  *=========================================================================*/
 #include "Shared/Points/DelimitedText.h"
 
+#include "Shared/Points/FieldSeparator.h"
+#include "Shared/Points/TextDecoding.h"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <iterator>
 #include <limits>
@@ -25,6 +27,12 @@ IsLineEnd(char c)
 }
 
 bool
+IsCommentMark(char c)
+{
+  return c == '#' || c == '%';
+}
+
+bool
 IsBlank(char c)
 {
   return c == ' ' || c == '\t';
@@ -34,16 +42,11 @@ IsBlank(char c)
 class Parser
 {
 public:
-  explicit Parser(std::string text)
+  /** \param separator zero: it is found. */
+  Parser(std::string text, char separator)
     : m_Text(std::move(text))
-  {
-    if (m_Text.find('\0') != std::string::npos)
-    {
-      throw std::runtime_error("the text has zero bytes, must be in UTF-8: UTF-16, or no text, is not read");
-    }
-    constexpr const char * mark = "\xEF\xBB\xBF";
-    m_Position = m_Text.compare(0, 3, mark) == 0 ? 3 : 0;
-  }
+    , m_Separator(separator != '\0' ? separator : this->ReadSeparator())
+  {}
 
   DelimitedText
   Parse()
@@ -52,10 +55,10 @@ public:
     for (; m_Position < m_Text.size(); this->SkipLineEnd())
     {
       const std::size_t line = m_Line;
-      this->SkipBlanks();
-      if (this->Peek() == '#')
+      this->SkipIndent();
+      if (IsCommentMark(this->Peek()))
       {
-        ++m_Position;
+        m_Position = m_Text.find_first_not_of(this->Peek(), m_Position);
         result.comments.push_back({ TrimBlanks(this->ReadRest()), line });
         continue;
       }
@@ -84,19 +87,61 @@ private:
     ++m_Line;
   }
 
+  /** What the first line says of it, as for Excel: "sep=;"; it is then read. */
+  char
+  ReadSeparator()
+  {
+    const std::string line = this->ReadRest();
+    const std::string text = line.size() > 1 && line.front() == '"' ? line.substr(1, line.size() - 2) : line;
+    if (text.size() == 5 && (text.compare(0, 4, "sep=") == 0 || text.compare(0, 4, "SEP=") == 0))
+    {
+      return text.back();
+    }
+    m_Position = 0;
+    return FindSeparator(m_Text);
+  }
+
+  bool
+  IsAtSeparator() const
+  {
+    return m_Separator == ' ' ? IsBlank(this->Peek()) : this->Peek() == m_Separator;
+  }
+
+  /** Before a field or behind it. */
   void
   SkipBlanks()
   {
-    while (IsBlank(this->Peek()) && this->Peek() != m_Separator)
+    while (IsBlank(this->Peek()) && !this->IsAtSeparator())
     {
       ++m_Position;
+    }
+  }
+
+  /** Before a line's first field. */
+  void
+  SkipIndent()
+  {
+    while (IsBlank(this->Peek()) && this->Peek() != (m_Separator == ' ' ? '\0' : m_Separator))
+    {
+      ++m_Position;
+    }
+  }
+
+  /** Of blanks all are one; those at the end of a line are none. */
+  void
+  SkipSeparator()
+  {
+    m_Position += m_Separator == ' ' ? 0 : 1;
+    if (m_Separator == ' ')
+    {
+      this->SkipIndent();
     }
   }
 
   std::string
   ReadRest()
   {
-    const std::size_t begin = m_Position;
+    const std::size_t begin = std::min(m_Position, m_Text.size());
     m_Position = std::min(m_Text.find_first_of("\r\n", begin), m_Text.size());
     return m_Text.substr(begin, m_Position - begin);
   }
@@ -104,36 +149,16 @@ private:
   std::vector<std::string>
   ReadFields()
   {
-    if (m_Separator == '\0' && !IsLineEnd(this->Peek()))
-    {
-      m_Separator = this->FindSeparator();
-    }
     std::vector<std::string> fields{ this->ReadField() };
     while (!IsLineEnd(this->Peek()))
     {
-      ++m_Position;
-      fields.push_back(this->ReadField());
-    }
-    return fields;
-  }
-
-  /** By the record that begins here. */
-  char
-  FindSeparator() const
-  {
-    const std::string          separators = ",;\t";
-    std::array<std::size_t, 3> counts{};
-    bool                       isQuoted = false;
-    for (std::size_t i = m_Position; i < m_Text.size() && (isQuoted || !IsLineEnd(m_Text[i])); ++i)
-    {
-      isQuoted = isQuoted != (m_Text[i] == '"');
-      const std::size_t separator = separators.find(m_Text[i]);
-      if (!isQuoted && separator != std::string::npos)
+      this->SkipSeparator();
+      if (m_Separator != ' ' || !IsLineEnd(this->Peek()))
       {
-        ++counts[separator];
+        fields.push_back(this->ReadField());
       }
     }
-    return separators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+    return fields;
   }
 
   /** Up to the separator or the line's end. */
@@ -146,7 +171,7 @@ private:
       return this->ReadQuoted();
     }
     const std::size_t begin = m_Position;
-    while (!IsLineEnd(this->Peek()) && this->Peek() != m_Separator)
+    while (!IsLineEnd(this->Peek()) && !this->IsAtSeparator())
     {
       ++m_Position;
     }
@@ -175,7 +200,7 @@ private:
     }
     ++m_Position;
     this->SkipBlanks();
-    if (!IsLineEnd(this->Peek()) && this->Peek() != m_Separator)
+    if (!IsLineEnd(this->Peek()) && !this->IsAtSeparator())
     {
       throw std::runtime_error("line " + std::to_string(m_Line) + ": there is text after the quoted '" + field + "'");
     }
@@ -185,15 +210,14 @@ private:
   std::string m_Text;
   std::size_t m_Position = 0;
   std::size_t m_Line = 1;
-  /** Zero before the first record. */
-  char m_Separator = '\0';
+  char        m_Separator;
 };
 } // namespace
 
 DelimitedText
-ReadDelimitedText(std::istream & stream)
+ReadDelimitedText(std::istream & stream, char separator)
 {
-  return Parser({ std::istreambuf_iterator<char>(stream), {} }).Parse();
+  return Parser(DecodeText({ std::istreambuf_iterator<char>(stream), {} }), separator).Parse();
 }
 
 std::vector<std::string>
@@ -202,6 +226,13 @@ SplitFields(const std::string & line)
   std::istringstream  stream(line);
   const DelimitedText text = ReadDelimitedText(stream);
   return text.records.empty() ? std::vector<std::string>() : text.records.front().fields;
+}
+
+bool
+IsComment(const std::string & line)
+{
+  const std::string trimmed = TrimBlanks(line);
+  return !trimmed.empty() && IsCommentMark(trimmed.front());
 }
 
 std::string

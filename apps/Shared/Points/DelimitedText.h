@@ -31,25 +31,30 @@ struct DelimitedText
   };
   /** Those with any content. */
   std::vector<Record> records;
-  /** Lines that begin with #, without it. */
+  /** Lines that begin with # or %, without those and the blanks around. */
   std::vector<Comment> comments;
 };
 
 /** \brief Splits text into fields, by the rules of RFC 4180.
  *
  * A field in double quotes may hold separators, line ends, and quotes that are doubled; of others the blanks around are
- * left out. Lines end in LF, CR LF or CR; a byte order mark of UTF-8 is skipped. The separator is the one that the
- * first record has most often: a comma, a semicolon or a tab.
+ * left out. Lines end in LF, CR LF or CR; the encoding is found by DecodeText().
  *
  * VTK's reader of such text knows nothing of lines, which messages must name.
- * \throws std::runtime_error that names the line: a quote that is not closed, or text after a closed one; zero bytes.
+ * \param separator of the fields, where ' ' is any number of blanks; by default the one that a first line "sep=;" says,
+ * as for Excel, or else that of FindSeparator().
+ * \throws std::runtime_error that names the line: a quote that is not closed, or text after a closed one; and as of
+ * DecodeText().
  */
 DelimitedText
-ReadDelimitedText(std::istream & stream);
+ReadDelimitedText(std::istream & stream, char separator = '\0');
 
-/** The fields of one line. */
+/** The fields of one line, which is no comment. */
 std::vector<std::string>
 SplitFields(const std::string & line);
+
+bool
+IsComment(const std::string & line);
 
 /** Without the blanks at both ends. */
 std::string

@@ -7,6 +7,8 @@
 #ifndef PointColumns_h
 #define PointColumns_h
 
+#include "Shared/Points/PointFileOptions.h"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -20,15 +22,34 @@ struct PointColumns
 {
   std::array<std::size_t, 3> coordinates = { { 0, 1, 2 } };
   std::optional<std::size_t> label;
+  /** Of time points, the one to choose by first. */
+  std::vector<std::size_t> frames;
+  /** Of the coordinates, as in AxisName. */
+  std::string unit;
+  /** The one that says the unit of each row, as of Imaris. */
+  std::optional<std::size_t> unitColumn;
+  /** As in AxisName, or the table is one of Vaa3D. */
+  bool isMostlyInVoxels = false;
 };
 
-/** \brief Finds the columns of the coordinates, and of the labels if there is one, by their names.
+/** \brief Finds the columns of the coordinates, and those of labels and time points if there are such, by their names.
  *
- * Of x: "x", "x_um", "X (microns)", "CenterX", "centroid_x", "Position X [µm]" and alike, in small letters or capitals.
- * \throws std::runtime_error: an axis without a column or with two, axes of different units, and columns that are
- * numbered, as by scikit-image, where 0 is the first axis of an array: mostly z. */
+ * Columns of coordinates are such by ParseAxisName(), or those that the options name or number. Of several sets of x, y
+ * and z those with a unit are taken before those without, and these before those in voxels; the other way round where
+ * the options say how large a voxel is.
+ * \throws std::runtime_error: an axis without a column or with two, axes of different units, columns in voxels whose
+ * size is not known, and such that are numbered, as by scikit-image, where 0 is the first axis of an array: mostly z;
+ * of the options: no such column, or a name that two columns have. */
 PointColumns
-FindPointColumns(const std::vector<std::string> & names);
+FindPointColumns(const std::vector<std::string> & names, const PointFileOptions & options = PointFileOptions());
+
+/** Whether each of x, y and z has a column, by ParseAxisName(), or each that the options name is there. */
+bool
+HasPointColumns(const std::vector<std::string> & names, const PointFileOptions & options);
+
+/** The index of a column by its number, from 1 on; nothing if the text is no such number. */
+std::optional<std::size_t>
+ToColumnNumber(const std::string & text);
 } // namespace tissue
 
 #endif

@@ -7,6 +7,8 @@
 #include "Shared/Points/PointFileReader.h"
 
 #include "Shared/Points/DelimitedText.h"
+#include "Shared/Points/PlyPoints.h"
+#include "Shared/Points/PointTable.h"
 #include "Shared/Points/PointTableReader.h"
 #include "Shared/Points/SlicerMarkups.h"
 
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 
 namespace tissue
@@ -29,51 +32,14 @@ namespace
 {
 using Fields = std::vector<std::string>;
 
-/** The reader of a table whose first line may hold the names of its columns. */
-PointTableReader
-MakeReader(const DelimitedText::Record & first, bool hasNames)
-{
-  return AtLine(first.line, [&] {
-    if (hasNames)
-    {
-      return PointTableReader(first.fields, FindPointColumns(first.fields));
-    }
-    if (first.fields.size() != 3)
-    {
-      throw std::runtime_error("there are " + std::to_string(first.fields.size()) +
-                               " columns and no line of their names before, which only three, x, y and z, can do "
-                               "without");
-    }
-    return PointTableReader({}, PointColumns());
-  });
-}
-
-PointFile
-ReadCSV(std::istream & stream)
-{
-  const DelimitedText text = ReadDelimitedText(stream);
-  PointFile           file;
-  if (text.records.empty())
-  {
-    return file;
-  }
-  const Fields & first = text.records.front().fields;
-  const bool     hasNames = std::none_of(first.begin(), first.end(), [](const auto & f) { return ToNumber(f); });
-  const PointTableReader reader = MakeReader(text.records.front(), hasNames);
-  for (std::size_t i = hasNames ? 1 : 0; i < text.records.size(); ++i)
-  {
-    reader.AddPoint(text.records[i], file);
-  }
-  return file;
-}
-
 /** Lines "id,x,y,z,...", after comments that tell the coordinate system. */
 PointFile
 ReadMarkups(std::istream & stream)
 {
-  const DelimitedText    text = ReadDelimitedText(stream);
-  Fields                 names;
-  PointColumns           columns{ { { 1, 2, 3 } }, std::nullopt };
+  const DelimitedText text = ReadDelimitedText(stream, ',');
+  Fields              names;
+  PointColumns        columns;
+  columns.coordinates = { { 1, 2, 3 } };
   DelimitedText::Comment system{ "RAS", 0 };
   for (const DelimitedText::Comment & comment : text.comments)
   {
@@ -95,7 +61,8 @@ ReadMarkups(std::istream & stream)
   const PointTableReader reader(names, columns);
   for (const DelimitedText::Record & record : text.records)
   {
-    reader.AddPoint(record, file);
+    file.points.push_back(reader.ReadPoint(record));
+    file.places.push_back("line " + std::to_string(record.line));
   }
   AtLine(system.line, [&] { TurnIntoLPS(system.text, file.points); });
   return file;
@@ -154,28 +121,22 @@ ExtensionOf(const std::string & path)
     extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
   return extension;
 }
-} // namespace
 
 bool
-IsPointFile(const std::string & path)
+IsTable(const std::string & extension)
 {
-  const std::string extension = ExtensionOf(path);
-  return extension == ".csv" || extension == ".fcsv" || extension == ".json" || extension == ".vtp";
+  const auto extensions = { ".csv", ".tsv", ".tab", ".txt", ".xls", ".dat", ".xyz", ".marker", ".apo" };
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 PointFile
-ReadPointFile(const std::string & path)
+ReadOfFormat(const std::string & extension, const std::string & path, const PointFileOptions & options)
 {
-  if (std::filesystem::is_directory(path))
-  {
-    throw std::runtime_error("a folder, not a file of points");
-  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
   {
     throw std::runtime_error("no such file, or it cannot be read");
   }
-  const std::string extension = ExtensionOf(path);
   if (extension == ".vtp")
   {
     return ReadPolyData(path);
@@ -184,6 +145,43 @@ ReadPointFile(const std::string & path)
   {
     return ReadMarkupsJson(stream);
   }
-  return extension == ".fcsv" ? ReadMarkups(stream) : ReadCSV(stream);
+  if (extension == ".ply")
+  {
+    return ReadPlyPoints(stream);
+  }
+  return extension == ".fcsv" ? ReadMarkups(stream) : ReadPointTable(stream, options);
+}
+} // namespace
+
+bool
+IsPointFile(const std::string & path)
+{
+  const std::string extension = ExtensionOf(path);
+  return IsTable(extension) || extension == ".fcsv" || extension == ".json" || extension == ".ply" ||
+         extension == ".vtp";
+}
+
+PointFile
+ReadPointFile(const std::string & path, const PointFileOptions & options)
+{
+  if (std::filesystem::is_directory(path))
+  {
+    throw std::runtime_error("a folder, not a file of points");
+  }
+  const std::string extension = ExtensionOf(path);
+  if (options.IsOfTables() && !IsTable(extension))
+  {
+    throw std::runtime_error("--columns, --frame and --firstLine are for tables (.csv, .tsv, .txt, ...)");
+  }
+  PointFile file = ReadOfFormat(extension, path, options);
+  if (options.spacing)
+  {
+    for (Point & point : file.points)
+    {
+      std::transform(point.begin(), point.end(), options.spacing->begin(), point.begin(), std::multiplies<>());
+    }
+    file.unit.clear();
+  }
+  return file;
 }
 } // namespace tissue

@@ -12,8 +12,38 @@
 #include "Shared/Pictures/WallMeshPicture.h"
 #include "TissueTessellationVTKBridge.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
 namespace tissue
 {
+namespace
+{
+/** Adds the column `Name` to those of cells, by their `Label`; none where there are no names. */
+void
+AddNames(vtkFieldData * columns, const std::map<Label, std::string> & names)
+{
+  if (names.empty())
+  {
+    return;
+  }
+  vtkDataArray * const         labels = columns->GetArray("Label");
+  const vtkNew<vtkStringArray> column;
+  column->SetName("Name");
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    const auto name = names.find(labels->GetVariantValue(i).ToTypeInt64());
+    column->InsertNextValue(name == names.end() ? std::string() : name->second);
+  }
+  columns->AddArray(column);
+}
+} // namespace
+
 void
 WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, ProgressBar & progress)
 {
@@ -32,8 +62,16 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
-  add(paths.cells, [&](const std::string & path) { WriteXML(MakeCellGrid(walls, cells, check), path); });
-  add(paths.statistics, [&](const std::string & path) { WriteCSV(MakeCellTable(walls, cells, check), path); });
+  add(paths.cells, [&](const std::string & path) {
+    const auto grid = MakeCellGrid(walls, cells, check);
+    AddNames(grid->GetCellData(), report.input.names);
+    WriteXML(grid, path);
+  });
+  add(paths.statistics, [&](const std::string & path) {
+    const auto table = MakeCellTable(walls, cells, check);
+    AddNames(table->GetRowData(), report.input.names);
+    WriteCSV(table, path);
+  });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });

@@ -139,6 +139,18 @@ ToJson(const StageEvaluation & evaluation, const std::vector<ReconstructionStage
   return json;
 }
 
+/** Of each label; null where there are none. */
+Json
+NamesToJson(const std::map<Label, std::string> & names)
+{
+  Json json;
+  for (const auto & [label, name] : names)
+  {
+    json[std::to_string(label)] = name;
+  }
+  return json;
+}
+
 Json
 InputToJson(const ReconstructionReport & report)
 {
@@ -150,6 +162,8 @@ InputToJson(const ReconstructionReport & report)
   return {
     { "file", input.file },
     { "points", input.numberOfPoints },
+    { "pointUnit", ToJsonIf(!input.pointUnit.empty(), input.pointUnit) },
+    { "names", NamesToJson(input.names) },
     { "pixelType", ToJsonIf(!input.image.pixelType.empty(), input.image.pixelType) },
     { "size", ToJsonIf(hasVoxels, input.image.size) },
     { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },

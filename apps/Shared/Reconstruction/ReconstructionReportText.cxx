@@ -87,7 +87,7 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
   stream << input.file << ": ";
   if (input.numberOfPoints > 0)
   {
-    stream << input.numberOfPoints << " points; ";
+    stream << input.numberOfPoints << " points" << (input.pointUnit.empty() ? "" : " in " + input.pointUnit) << "; ";
   }
   if (report.HasVoxels())
   {

@@ -11,6 +11,7 @@
 #include "itkTissueLabelVolume.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,8 +64,12 @@ struct TissueInput
   std::string        file;
   ExtractedJunctions extracted;
   /** Of the file of points; 0 for an image. */
-  std::size_t      numberOfPoints = 0;
-  ImageDescription image;
+  std::size_t numberOfPoints = 0;
+  /** Of the points' coordinates, as their file says it; empty where it does not. */
+  std::string pointUnit;
+  /** Of the labels, where the file of points has names. */
+  std::map<Label, std::string> names;
+  ImageDescription             image;
   /** Nothing unless they were to be closed. */
   std::optional<ClosedGaps> closedGaps;
   std::vector<std::string>  warnings;
