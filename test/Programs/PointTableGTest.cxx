@@ -142,6 +142,10 @@ TEST(PointTable, ColumnsWithoutNamesByTheirNumbers)
     Refusal(rows),
     "line 1: there are 5 columns and no line of their names before, which only three, x, y and z, can do without: "
     "--columns X Y Z says their numbers, from 1 on");
+  // Values that are the numbers, too.
+  EXPECT_EQ(Read("a,b,c\n1,2,3\n", ByColumns({ "3", "2", "1" })).points, (std::vector<Point>{ { { 3, 2, 1 } } }));
+  EXPECT_EQ(Read("Date;2020\nn;x;y;z\n1;2;3;4\n", ByColumns({ "4", "3", "2" })).points,
+            (std::vector<Point>{ { { 4, 3, 2 } } }));
   // Lines of a header without names of columns.
   const std::string four = rows + "4;1.5;1.5;1.5;1\n";
   const auto        read = Read("video;0.5;0.5;4;60\n1;0;0;0;0\n" + four, ByColumns({ "2", "3", "4" }));
@@ -158,6 +162,17 @@ TEST(PointTable, ColumnsWithoutNamesByTheirNumbers)
             "line 1 may count the columns: is it a point (--firstLine 1) or none (--firstLine 2)?");
   EXPECT_EQ(Read("axis-0,axis-1,axis-2\n3,2,1\n", ByColumns({ "axis-2", "axis-1", "axis-0" })).points[0],
             (Point{ { 1, 2, 3 } }));
+}
+
+TEST(PointTable, LongOnesWithoutNamesLoseNothing)
+{
+  std::string rows;
+  for (int i = 0; i < 1500; ++i)
+  {
+    rows += std::to_string(i) + ".5,2.5,3.5\n";
+  }
+  EXPECT_EQ(Read(rows).points.size(), 1500u);
+  EXPECT_EQ(Read(rows, ByColumns({ "3", "2", "1" })).points.size(), 1500u);
 }
 
 TEST(PointTable, OneTimePointOfSeveral)

@@ -294,15 +294,18 @@ FindPointColumns(const Names & names, const PointFileOptions & options)
 bool
 HasPointColumns(const Names & names, const PointFileOptions & options)
 {
-  if (options.columns.empty())
+  Names wanted;
+  std::copy_if(options.columns.begin(), options.columns.end(), std::back_inserter(wanted), [](const auto & column) {
+    return !ToColumnNumber(column);
+  });
+  if (wanted.empty())
   {
     const CoordinatesOfAxes found = FindCoordinates(names);
     return std::none_of(found.begin(), found.end(), [](const auto & ofAxis) { return ofAxis.empty(); });
   }
-  return std::all_of(options.columns.begin(), options.columns.end(), [&names](const std::string & wanted) {
-    return std::any_of(names.begin(), names.end(), [&wanted](const auto & name) {
-      return ToLower(name) == ToLower(TrimBlanks(wanted));
-    });
+  return std::all_of(wanted.begin(), wanted.end(), [&names](const std::string & column) {
+    return std::any_of(
+      names.begin(), names.end(), [&](const auto & name) { return ToLower(name) == ToLower(TrimBlanks(column)); });
   });
 }
 

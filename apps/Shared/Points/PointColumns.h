@@ -43,7 +43,7 @@ struct PointColumns
 PointColumns
 FindPointColumns(const std::vector<std::string> & names, const PointFileOptions & options = PointFileOptions());
 
-/** Whether each of x, y and z has a column, by ParseAxisName(), or each that the options name is there. */
+/** Whether each of x, y and z has a column, by ParseAxisName(), or, where the options have names, these are there. */
 bool
 HasPointColumns(const std::vector<std::string> & names, const PointFileOptions & options);
 

@@ -261,11 +261,12 @@ FindPointTableHeader(const DelimitedText & text, const PointFileOptions & option
     throw std::runtime_error("there is nothing from line " + std::to_string(options.firstLine) + " on (--firstLine)");
   }
   // Names are among the first lines: to look for them takes longer than to read numbers.
-  const auto                      names = std::find_if(records.begin(),
-                                  std::min(end, records.begin() + std::min<std::ptrdiff_t>(1000, records.size())),
-                                  [&](const auto & record) { return HasPointColumns(record.fields, options); });
+  constexpr std::ptrdiff_t most = 1000;
+  const auto               last = records.begin() + std::min(most, end - records.begin());
+  const auto               names =
+    std::find_if(records.begin(), last, [&](const auto & record) { return HasPointColumns(record.fields, options); });
   std::optional<PointTableHeader> header;
-  if (names != end)
+  if (names != last)
   {
     header = JoinNames(records, static_cast<std::size_t>(names - records.begin()), options);
   }
