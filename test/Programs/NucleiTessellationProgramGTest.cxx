@@ -114,7 +114,7 @@ TEST_F(NucleiTessellationApp, ReportsNothingOfAnImageWhereThereIsNone)
     EXPECT_TRUE(alone["stages"][stage]["adjacency4"].is_null());
     EXPECT_GT(alone["stages"][stage]["eccentricity"], 0.0);
   }
-  EXPECT_EQ(m_Output.find("points.csv: " + std::to_string(m_Points.size()) + " points; " +
+  EXPECT_EQ(m_Output.find("points.csv: " + std::to_string(m_Points.size()) + " points in um; " +
                           std::to_string(m_Points.size()) + " cells, exterior label 0\n"),
             0u)
     << m_Output;
@@ -305,7 +305,7 @@ TEST_F(NucleiTessellationApp, PointFilesThatAreRefused)
     };
   const std::string four = "x,y,z\n0,0,0\n5,0,1\n0,5,0\n0,1,5\n";
   this->ExpectRefusal("none.csv walls.vtp", { "none.csv: no such file" });
-  refuse(four, { "bad.txt: not an image in a format that ITK reads" }, "bad.txt");
+  refuse(four, { "bad.xyzw: neither an image in a format that ITK reads nor a file of points" }, "bad.xyzw");
   refuse("", { "bad.csv: There are 0 points, at least 4 are needed" });
   refuse("x,y,z\n1,2,3\n2,3,4\n4,3,2\n", { "bad.csv: There are 3 points, at least 4 are needed" });
   refuse("x,y\n1,2\n", { "bad.csv: line 1: there is no column z" });
