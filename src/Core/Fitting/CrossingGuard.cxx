@@ -120,80 +120,26 @@ MarkMoved(const WallMesh & mesh, const std::vector<Point> & here, const std::vec
   }
   return isMoved;
 }
-
-/** \brief The pairs of triangles that can become faulty, collected once for all rounds of steps back.
- *
- * Their boxes, about all places from before to the target, overlap. Pairs within a wall count from when it is no height
- * field: until then none of them is faulty. */
-class CandidatePairs
-{
-public:
-  /** The mesh is at the target. */
-  CandidatePairs(const WallMesh & mesh, const std::vector<Point> & before, const std::vector<unsigned char> & isMoved,
-                 const AngleLimits & angles, const Execution & execution)
-    : m_Mesh(mesh)
-    , m_Close(mesh, before, mesh.points, isMoved)
-    , m_IsLeftOut(m_Close.NearRuns().size(), 0)
-  {
-    if (angles.dihedralAngle <= LeastFoldOfHeightField)
-    {
-      m_IsLeftOut = MarkHeightFields(mesh, m_Close.FirstOfRuns(), m_Close.NearRuns(), execution);
-    }
-    m_Pairs = m_Close.Collect(m_IsLeftOut, execution);
-  }
-
-  const std::vector<TrianglePair> &
-  Get() const
-  {
-    return m_Pairs;
-  }
-
-  /** Takes in the pairs within walls that are no height fields any more, of which a triangle has changed. */
-  void
-  Update(const std::vector<unsigned char> & isChanged)
-  {
-    const std::vector<std::size_t> & first = m_Close.FirstOfRuns();
-    for (std::size_t run = 0; run < m_IsLeftOut.size(); ++run)
-    {
-      const auto from = isChanged.begin() + static_cast<std::ptrdiff_t>(first[run]);
-      const auto to = isChanged.begin() + static_cast<std::ptrdiff_t>(first[run + 1]);
-      if (m_IsLeftOut[run] != 0 && std::find(from, to, 1) != to && !IsHeightField(m_Mesh, first[run], first[run + 1]))
-      {
-        m_IsLeftOut[run] = 0;
-        m_Close.AppendWithin(run, m_Pairs);
-      }
-    }
-  }
-
-private:
-  const WallMesh &           m_Mesh;
-  ClosePairs                 m_Close;
-  std::vector<unsigned char> m_IsLeftOut;
-  std::vector<TrianglePair>  m_Pairs;
-};
 } // namespace
 
 std::int64_t
 StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const std::vector<double> & shares,
                       const AngleLimits & angles, const Execution & execution)
 {
-  constexpr double                 radiansPerDegree = 0.017453292519943295;
-  const Limits                     limits{ std::cos(radiansPerDegree * angles.dihedralAngle),
+  constexpr double radiansPerDegree = 0.017453292519943295;
+  const Limits     limits{ std::cos(radiansPerDegree * angles.dihedralAngle),
                        std::sin(radiansPerDegree * angles.triangleAngle) };
-  const std::vector<Point>         target = mesh.points;
-  const std::vector<unsigned char> isMoved = MarkMoved(mesh, before, target);
-  CandidatePairs                   candidates(mesh, before, isMoved, angles, execution);
+  // In each round the movable points of the faulty pairs step back; then only pairs of changed triangles are tested.
+  const std::vector<Point>   target = mesh.points;
+  std::vector<unsigned char> isChanged = MarkMoved(mesh, before, target);
   // The level of a point is the number of steps back that it took.
   std::vector<std::size_t>   level(mesh.points.size(), 0);
-  std::vector<unsigned char> isChanged = isMoved;
   std::vector<unsigned char> pointChanged(mesh.points.size(), 0);
+  const bool                 mayMeetWithin = angles.dihedralAngle > LeastFoldOfHeightField;
   while (true)
   {
-    const std::vector<TrianglePair> & pairs = candidates.Get();
-    const auto                        isFault = [&](std::size_t i) {
-      const auto & [a, b] = pairs[i];
-      return (isChanged[a] != 0 || isChanged[b] != 0) &&
-             IsFaulty(mesh.points, before, mesh.triangles[a], mesh.triangles[b], limits);
+    const auto isFaulty = [&](const TrianglePair & pair) {
+      return IsFaulty(mesh.points, before, mesh.triangles[pair[0]], mesh.triangles[pair[1]], limits);
     };
     const auto isSliver = [&](std::size_t t) {
       return isChanged[t] != 0 && IsSliver(mesh.points, before, mesh.triangles[t], limits);
@@ -213,10 +159,10 @@ StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const 
       }
     };
     const std::vector<std::size_t> slivers = Select(mesh.triangles.size(), isSliver, execution);
-    for (const std::size_t i : Select(pairs.size(), isFault, execution))
+    for (const auto & [a, b] : SelectClosePairs(mesh, isChanged, mayMeetWithin, isFaulty, execution))
     {
-      stepBack(static_cast<std::size_t>(pairs[i][0]));
-      stepBack(static_cast<std::size_t>(pairs[i][1]));
+      stepBack(static_cast<std::size_t>(a));
+      stepBack(static_cast<std::size_t>(b));
     }
     std::for_each(slivers.begin(), slivers.end(), stepBack);
     if (!isAny)
@@ -228,7 +174,6 @@ StepBackFromCrossings(WallMesh & mesh, const std::vector<Point> & before, const 
       const Triangle & triangle = mesh.triangles[t];
       isChanged[t] = pointChanged[triangle[0]] | pointChanged[triangle[1]] | pointChanged[triangle[2]];
     }
-    candidates.Update(isChanged);
   }
   return std::count_if(level.begin(), level.end(), [](std::size_t l) { return l > 0; });
 }

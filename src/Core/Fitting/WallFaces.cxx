@@ -198,10 +198,10 @@ CollectWallFaces(const WallMesh & mesh, const std::vector<VertexPair> & pairs, c
       isOneOfSeveral[wall] = walls.size() > 1;
     }
   }
-  const ImagePlaces               faces = CollectImageFaces(volume, differentPairs);
-  const auto                      outlines = CollectOutlines(mesh, isOneOfSeveral);
-  std::vector<ImagePlaces::Entry> entries;
-  std::size_t                     group = 0;
+  const ImagePlaces    faces = CollectImageFaces(volume, differentPairs);
+  const auto           outlines = CollectOutlines(mesh, isOneOfSeveral);
+  ImagePlaces::Entries entries;
+  std::size_t          group = 0;
   for (const auto & [pair, walls] : wallsOf)
   {
     std::vector<std::size_t> wallOf(static_cast<std::size_t>(faces.End(group) - faces.Begin(group)), 0);
@@ -216,7 +216,7 @@ CollectWallFaces(const WallMesh & mesh, const std::vector<VertexPair> & pairs, c
     }
     for (std::size_t i = 0; i < wallOf.size(); ++i)
     {
-      entries.push_back({ static_cast<std::size_t>(walls[wallOf[i]]), faces.Begin(group)[i] });
+      entries.push_back({ walls[wallOf[i]], faces.Begin(group)[i] });
     }
     ++group;
   }

@@ -56,11 +56,11 @@ VisitMixedBlocks(const LabelVolume & volume, const TVisitor & visit)
 }
 } // namespace
 
-ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & entries)
+ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const Entries & entries)
   : m_Places(numberOfGroups, [&entries](const auto & add) {
     for (const Entry & entry : entries)
     {
-      add(entry.group, entry.place);
+      add(static_cast<std::size_t>(entry.group), entry.place);
     }
   })
 {}
@@ -68,12 +68,12 @@ ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & 
 ImagePlaces
 CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pairs)
 {
-  std::unordered_map<std::uint64_t, std::size_t> groupOf;
+  std::unordered_map<std::uint64_t, std::int32_t> groupOf;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    groupOf[KeyOf(pairs[i][0], pairs[i][1])] = i;
+    groupOf[KeyOf(pairs[i][0], pairs[i][1])] = static_cast<std::int32_t>(i);
   }
-  std::vector<ImagePlaces::Entry> entries;
+  ImagePlaces::Entries entries;
   VisitMixedBlocks(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
     const VertexId here = volume.At(x, y, z);
     const VertexId next[3] = { volume.At(x + 1, y, z), volume.At(x, y + 1, z), volume.At(x, y, z + 1) };
@@ -94,12 +94,12 @@ CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pa
 ImagePlaces
 CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & lines)
 {
-  std::vector<ImagePlaces::Entry> entries;
-  const auto                      add = [&](const VertexTriple & cells, double x, double y, double z) {
+  ImagePlaces::Entries entries;
+  const auto           add = [&](const VertexTriple & cells, double x, double y, double z) {
     const auto at = std::lower_bound(lines.begin(), lines.end(), cells);
     if (at != lines.end() && *at == cells)
     {
-      entries.push_back({ static_cast<std::size_t>(at - lines.begin()), PlaceAt(volume, x, y, z) });
+      entries.push_back({ static_cast<std::int32_t>(at - lines.begin()), PlaceAt(volume, x, y, z) });
     }
   };
   VisitMixedBlocks(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z) {

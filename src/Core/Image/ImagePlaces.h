@@ -15,6 +15,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -30,11 +31,13 @@ public:
 
   struct Entry
   {
-    std::size_t group;
-    Place       place;
+    std::int32_t group;
+    Place        place;
   };
+  /** Millions of entries, in pieces: a vector would hold them twice while it grows. */
+  using Entries = std::deque<Entry>;
 
-  ImagePlaces(std::size_t numberOfGroups, const std::vector<Entry> & entries);
+  ImagePlaces(std::size_t numberOfGroups, const Entries & entries);
 
   const Place *
   Begin(std::size_t group) const

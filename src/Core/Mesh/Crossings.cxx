@@ -6,37 +6,20 @@
  *=========================================================================*/
 #include "Mesh/Crossings.h"
 
-#include "Common/Algorithms.h"
 #include "Geometry/BoxGrid.h"
 #include "Geometry/TriangleCrossing.h"
 #include "Mesh/HeightField.h"
+#include "TissueTessellationCore/Geometry/Box.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace tissue
 {
 namespace
 {
-/** Finds the crossing pairs of which one triangle at least is marked, in ascending order. */
-std::vector<TrianglePair>
-FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, const Execution & execution)
-{
-  const ClosePairs          close(mesh, mesh.points, mesh.points, isMarked);
-  const auto                isLeftOut = MarkHeightFields(mesh, close.FirstOfRuns(), close.NearRuns(), execution);
-  const auto                pairs = close.Collect(isLeftOut, execution);
-  std::vector<TrianglePair> crossings;
-  const auto                test = [&](std::size_t i) {
-    return TrianglesCross(mesh.points, mesh.triangles[pairs[i][0]], mesh.triangles[pairs[i][1]]);
-  };
-  for (const std::size_t i : Select(pairs.size(), test, execution))
-  {
-    crossings.push_back(pairs[i]);
-  }
-  std::sort(crossings.begin(), crossings.end());
-  return crossings;
-}
-} // namespace
-
+/** The first triangle of each run of triangles of one wall, and the number of all triangles. The runs are the walls
+ * where the triangles are in the order of these. */
 std::vector<std::size_t>
 FirstTrianglesOfRuns(const WallMesh & mesh)
 {
@@ -52,93 +35,130 @@ FirstTrianglesOfRuns(const WallMesh & mesh)
   return first;
 }
 
-ClosePairs::ClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-                       const std::vector<unsigned char> & isMarked)
-  : m_First(FirstTrianglesOfRuns(mesh))
-  , m_Boxes(mesh.triangles.size())
-  , m_IsMarked(isMarked)
+/** The box about the triangles first ... end - 1, or only about those of them that are marked. One must be. */
+Box
+BoxOfRun(const WallMesh & mesh, std::size_t first, std::size_t end, const std::vector<unsigned char> * isMarked)
 {
-  for (std::size_t t = 0; t < m_Boxes.size(); ++t)
+  std::optional<Box> box;
+  for (std::size_t t = first; t < end; ++t)
   {
-    const Triangle & triangle = mesh.triangles[t];
-    m_Boxes[t] = BoxOfTriangle(here, triangle);
-    for (const PointId p : triangle)
+    if (isMarked == nullptr || (*isMarked)[t] != 0)
     {
-      Extend(m_Boxes[t], there[p]);
+      const Triangle & triangle = mesh.triangles[t];
+      box = box ? box : Box{ mesh.points[triangle[0]], mesh.points[triangle[0]] };
+      std::for_each(triangle.begin(), triangle.end(), [&](PointId p) { Extend(*box, mesh.points[p]); });
     }
   }
-  this->FindNearRuns();
+  return *box;
 }
 
-void
-ClosePairs::FindNearRuns()
+/** Marks the runs whose boxes overlap that of the marked triangles of some run, and those with marked triangles. */
+std::vector<unsigned char>
+MarkNearRuns(const WallMesh & mesh, const std::vector<std::size_t> & first, const std::vector<unsigned char> & isMarked)
 {
-  const std::size_t          numberOfRuns = m_First.size() - 1;
-  const auto                 isMarked = m_IsMarked.begin();
-  const auto                 place = [this](std::size_t run) { return static_cast<std::ptrdiff_t>(m_First[run]); };
-  std::vector<unsigned char> hasMarked;
+  const std::size_t numberOfRuns = first.size() - 1;
+  const auto        place = [&](std::size_t run) { return isMarked.begin() + static_cast<std::ptrdiff_t>(first[run]); };
+  std::vector<std::int32_t> runs;
   for (std::size_t run = 0; run < numberOfRuns; ++run)
   {
-    const auto end = isMarked + place(run + 1);
-    hasMarked.push_back(std::find(isMarked + place(run), end, 1) != end ? 1 : 0);
+    if (std::find(place(run), place(run + 1), 1) != place(run + 1))
+    {
+      runs.push_back(static_cast<std::int32_t>(run));
+    }
   }
-  const auto count = static_cast<std::size_t>(std::count(hasMarked.begin(), hasMarked.end(), 1));
-  m_IsNear = hasMarked;
   // Where most runs have marked triangles, hardly one is far from all of them.
-  if (count == 0 || 2 * count > numberOfRuns)
+  std::vector<unsigned char> isNear(numberOfRuns, 2 * runs.size() > numberOfRuns ? 1 : 0);
+  if (runs.empty() || isNear.front() != 0)
   {
-    std::fill(m_IsNear.begin(), m_IsNear.end(), count > 0 ? 1 : 0);
-    return;
+    return isNear;
   }
+  // The boxes of the marked triangles follow those of the runs.
   std::vector<Box> boxes;
   for (std::size_t run = 0; run < numberOfRuns; ++run)
   {
-    boxes.push_back(m_Boxes[m_First[run]]);
-    for (std::size_t t = m_First[run]; t < m_First[run + 1]; ++t)
-    {
-      Extend(boxes[run], m_Boxes[t].lower);
-      Extend(boxes[run], m_Boxes[t].upper);
-    }
+    boxes.push_back(BoxOfRun(mesh, first[run], first[run + 1], nullptr));
+  }
+  for (const std::int32_t run : runs)
+  {
+    boxes.push_back(BoxOfRun(mesh, first[run], first[run + 1], &isMarked));
   }
   const BoxGrid grid(boxes);
+  const auto    numberOfBoxes = static_cast<std::int32_t>(numberOfRuns);
   for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
   {
     grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {
-      m_IsNear[a] |= hasMarked[b];
-      m_IsNear[b] |= hasMarked[a];
+      if (a < numberOfBoxes && b >= numberOfBoxes)
+      {
+        isNear[a] = 1;
+      }
     });
   }
+  return isNear;
 }
 
-std::vector<TrianglePair>
-ClosePairs::Collect(const std::vector<unsigned char> & isLeftOut, const Execution & execution) const
+/** Some triangles' numbers, boxes and groups (BoxGrid). */
+struct TriangleBoxes
 {
-  // A grid finds the boxes that overlap, layer by layer in parallel; the layers' pairs are joined in order, so that the
-  // result is the same for any number of threads. The triangles of a run that is left out are a group in it, each other
-  // one is a group of its own.
-  std::vector<Box>          boxes;
   std::vector<std::int32_t> numbers;
+  std::vector<Box>          boxes;
   std::vector<std::int32_t> groups;
-  for (std::size_t run = 0; run < m_IsNear.size(); ++run)
+};
+
+/** Those of the runs that are near. The triangles of a run that is left out are a group, each other one is a group of
+ * its own. */
+TriangleBoxes
+CollectBoxes(const WallMesh & mesh, const std::vector<std::size_t> & first, const std::vector<unsigned char> & isNear,
+             const std::vector<unsigned char> & isLeftOut)
+{
+  TriangleBoxes result;
+  for (std::size_t run = 0; run < isNear.size(); ++run)
   {
-    for (std::size_t t = m_First[run]; m_IsNear[run] != 0 && t < m_First[run + 1]; ++t)
+    for (std::size_t t = first[run]; isNear[run] != 0 && t < first[run + 1]; ++t)
     {
-      boxes.push_back(m_Boxes[t]);
-      numbers.push_back(static_cast<std::int32_t>(t));
-      groups.push_back(static_cast<std::int32_t>(isLeftOut[run] != 0 ? m_First[run] : t));
+      result.numbers.push_back(static_cast<std::int32_t>(t));
+      result.boxes.push_back(BoxOfTriangle(mesh.points, mesh.triangles[t]));
+      result.groups.push_back(static_cast<std::int32_t>(isLeftOut[run] != 0 ? first[run] : t));
     }
   }
-  if (boxes.empty())
+  return result;
+}
+
+/** Finds the crossing pairs of which one triangle at least is marked, in ascending order. */
+std::vector<TrianglePair>
+FindCrossingsOfMarked(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, const Execution & execution)
+{
+  const auto cross = [&](const TrianglePair & pair) {
+    return TrianglesCross(mesh.points, mesh.triangles[pair[0]], mesh.triangles[pair[1]]);
+  };
+  std::vector<TrianglePair> crossings = SelectClosePairs(mesh, isMarked, false, cross, execution);
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+} // namespace
+
+std::vector<TrianglePair>
+SelectClosePairs(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, bool mayMeetWithin,
+                 const TrianglePairTest & test, const Execution & execution)
+{
+  const std::vector<std::size_t>   first = FirstTrianglesOfRuns(mesh);
+  const std::vector<unsigned char> isNear = MarkNearRuns(mesh, first, isMarked);
+  const std::vector<unsigned char> isLeftOut =
+    mayMeetWithin ? std::vector<unsigned char>(isNear.size(), 0) : MarkHeightFields(mesh, first, isNear, execution);
+  TriangleBoxes triangles = CollectBoxes(mesh, first, isNear, isLeftOut);
+  if (triangles.boxes.empty())
   {
     return {};
   }
-  const BoxGrid                          grid(boxes, std::move(groups));
+  // A grid finds the boxes that overlap, layer by layer in parallel; the layers' pairs are joined in order, so that the
+  // result is the same for any number of threads.
+  const BoxGrid                          grid(triangles.boxes, std::move(triangles.groups));
   std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
   execution.For(found.size(), [&](std::size_t layer) {
     grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {
-      if (m_IsMarked[numbers[a]] != 0 || m_IsMarked[numbers[b]] != 0)
+      const TrianglePair pair{ { triangles.numbers[a], triangles.numbers[b] } };
+      if ((isMarked[pair[0]] != 0 || isMarked[pair[1]] != 0) && test(pair))
       {
-        found[layer].push_back({ { numbers[a], numbers[b] } });
+        found[layer].push_back(pair);
       }
     });
   });
@@ -148,24 +168,6 @@ ClosePairs::Collect(const std::vector<unsigned char> & isLeftOut, const Executio
     pairs.insert(pairs.end(), part.begin(), part.end());
   }
   return pairs;
-}
-
-void
-ClosePairs::AppendWithin(std::size_t run, std::vector<TrianglePair> & pairs) const
-{
-  const std::vector<Box> boxes(m_Boxes.begin() + static_cast<std::ptrdiff_t>(m_First[run]),
-                               m_Boxes.begin() + static_cast<std::ptrdiff_t>(m_First[run + 1]));
-  const BoxGrid          grid(boxes);
-  const auto             first = static_cast<std::int32_t>(m_First[run]);
-  for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
-  {
-    grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {
-      if (m_IsMarked[first + a] != 0 || m_IsMarked[first + b] != 0)
-      {
-        pairs.push_back({ { first + a, first + b } });
-      }
-    });
-  }
 }
 
 std::vector<TrianglePair>

@@ -8,9 +8,9 @@
 #define TissueTessellationCore_Crossings_h
 
 #include "TissueTessellationCore/Common/Execution.h"
-#include "TissueTessellationCore/Geometry/Box.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace tissue
@@ -28,52 +28,17 @@ std::vector<TrianglePair>
 FindCrossingsOfWalls(const WallMesh & mesh, const std::vector<WallId> & walls,
                      const Execution & execution = Execution());
 
-/** The first triangle of each run of triangles of one wall, and the number of all triangles. The runs are the walls
- * where the triangles are in the order of these. */
-std::vector<std::size_t>
-FirstTrianglesOfRuns(const WallMesh & mesh);
+/** Tells something of a pair of triangles; called from any thread. */
+using TrianglePairTest = std::function<bool(const TrianglePair &)>;
 
-/** \brief The pairs of triangles that may cross on their way from one place to another, and of which one is marked.
+/** \brief Selects, in no order, the pairs of triangles whose boxes overlap, of which one at least is marked, and for
+ * which the test holds.
  *
- * The boxes of two such triangles, each about its points both here and there, overlap. Triangles are looked at by runs
- * (FirstTrianglesOfRuns): only those near a marked triangle cost time. */
-class ClosePairs
-{
-public:
-  /** `isMarked` must outlive the object. */
-  ClosePairs(const WallMesh & mesh, const std::vector<Point> & here, const std::vector<Point> & there,
-             const std::vector<unsigned char> & isMarked);
-
-  const std::vector<std::size_t> &
-  FirstOfRuns() const
-  {
-    return m_First;
-  }
-
-  /** By run, whether it may have pairs. Its box overlaps that of one with a marked triangle, or most runs have one. */
-  const std::vector<unsigned char> &
-  NearRuns() const
-  {
-    return m_IsNear;
-  }
-
-  /** Collects the pairs, but not those within the runs that are left out. */
-  std::vector<TrianglePair>
-  Collect(const std::vector<unsigned char> & isLeftOut, const Execution & execution) const;
-
-  /** Adds the pairs within a run that is near. */
-  void
-  AppendWithin(std::size_t run, std::vector<TrianglePair> & pairs) const;
-
-private:
-  void
-  FindNearRuns();
-
-  std::vector<std::size_t>           m_First;
-  std::vector<unsigned char>         m_IsNear;
-  std::vector<Box>                   m_Boxes;
-  const std::vector<unsigned char> & m_IsMarked;
-};
+ * With `mayMeetWithin` false pairs within a wall that is a height field (HeightField.h) are left out, none of which
+ * cross. What is far from all marked triangles costs little time. */
+std::vector<TrianglePair>
+SelectClosePairs(const WallMesh & mesh, const std::vector<unsigned char> & isMarked, bool mayMeetWithin,
+                 const TrianglePairTest & test, const Execution & execution);
 } // namespace tissue
 
 #endif

@@ -27,7 +27,8 @@ constexpr double LeastFoldOfHeightField = 20.0;
 bool
 IsHeightField(const WallMesh & mesh, std::size_t first, std::size_t end);
 
-/** Marks the runs of triangles (FirstTrianglesOfRuns) that are wanted and are height fields. */
+/** Marks the runs of triangles that are wanted and are height fields. Run r is firstOfRuns[r] ... firstOfRuns[r + 1]
+ * - 1. */
 std::vector<unsigned char>
 MarkHeightFields(const WallMesh & mesh, const std::vector<std::size_t> & firstOfRuns,
                  const std::vector<unsigned char> & isWanted, const Execution & execution);

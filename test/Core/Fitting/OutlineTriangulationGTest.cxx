@@ -47,7 +47,7 @@ ArchAsStar()
 ImagePlaces
 PlacesOnArch()
 {
-  std::vector<ImagePlaces::Entry> entries;
+  ImagePlaces::Entries entries;
   for (int i = 0; i <= 200; ++i)
   {
     for (int k = 0; k <= 10; ++k)
@@ -106,8 +106,8 @@ TEST(OutlineTriangulation, WallsWithoutPlacesStay)
 
 TEST(OutlineTriangulation, JoinsNoPointsThatAnotherWallHasToo)
 {
-  const WallMesh                  before = Orange();
-  std::vector<ImagePlaces::Entry> entries;
+  const WallMesh       before = Orange();
+  ImagePlaces::Entries entries;
   for (std::size_t w = 0; w < before.walls.size(); ++w)
   {
     // Where the edge from pole to pole would be, which all walls have in common.
