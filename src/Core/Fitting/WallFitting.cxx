@@ -43,14 +43,19 @@ constexpr double LastVolumeShare = 0.5;
 /** Edges grow with a cell's volume to this power, so that small cells get more triangles than their share of the area.
  */
 constexpr double SizeExponent = 0.25;
-/** What the star takes of the time, for the progress. */
+/** What the star takes of the time, and where the last steps towards the volumes begin, for the progress. */
 constexpr double StarShare = 0.1;
+constexpr double LastStepsShare = 0.85;
 /** Steps of the stars towards the volumes, before they are remeshed, and where they stay stars. Bulging walls are far
  * from their volumes at first; but what more steps add by moving corners has to be taken back later. */
 constexpr int FirstStarRounds = 3;
 constexpr int LastStarRounds = 8;
-/** The rounds of projection, improvement and volumes after the first, the second and the third remeshing. */
-constexpr int RoundsPerMeshing[] = { 2, 1, 2 };
+/** The least and the most rounds of projection, improvement and volumes after the first, the second and the third
+ * remeshing. The least are enough where walls are nearly flat; where a round moved the points by more than
+ * LargestMeanMove, in voxels, another one follows. */
+constexpr int    FewestRounds[] = { 2, 1, 2 };
+constexpr int    MostRounds[] = { 4, 2, 4 };
+constexpr double LargestMeanMove = 0.15;
 /** The most steps towards the volumes at the end. Cells that the guard holds back get there by small steps. */
 constexpr int LastVolumeSteps = 10;
 /** The relative difference of a cell's volume from the wanted one below which nothing is left to do. */
@@ -117,39 +122,34 @@ public:
     // The mesh is remeshed three times, as its lines and walls grow longer on their way to the image. The rounds after
     // each remeshing project the points, improve the triangles and give the cells their volumes, and take back what
     // makes triangles cross.
-    const double wanted = trianglesPerCell * static_cast<double>(m_Volumes.size() - 1);
-    double       done = 0.0;
-    const double all = LastVolumeSteps + std::accumulate(std::begin(RoundsPerMeshing), std::end(RoundsPerMeshing), 0.0);
+    constexpr int meshings = static_cast<int>(std::size(FewestRounds));
+    const double  wanted = trianglesPerCell * static_cast<double>(m_Volumes.size() - 1);
     m_Execution.Report(StarShare);
     std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
     double              area = ComputeArea(mesh);
     WallProjection      projection(
       mesh, { m_Tissue.vertices, m_Tissue.cellOf, m_Pairs }, m_Field, m_Faces, lengths, m_Anchors);
-    for (std::size_t meshing = 0; meshing < std::size(RoundsPerMeshing); ++meshing)
+    for (int meshing = 0; meshing < meshings; ++meshing)
     {
       if (meshing > 0)
       {
         this->RemeshAgain(mesh, wanted, lengths, area);
         projection.SetWalls(mesh, lengths);
       }
-      const bool isLast = meshing + 1 == std::size(RoundsPerMeshing);
-      for (int round = 0; round < RoundsPerMeshing[meshing]; ++round)
+      const double share = (LastStepsShare - StarShare) / meshings;
+      const double begin = StarShare + meshing * share;
+      bool         isAtRest = false;
+      for (int round = 0; round < MostRounds[meshing] && (round < FewestRounds[meshing] || !isAtRest); ++round)
       {
-        const std::vector<Point> before = mesh.points;
-        projection.Move(mesh, m_Execution);
-        ImproveTriangles(mesh, 1, m_Execution);
-        FitVolumes(mesh, m_Volumes, VolumeShare);
-        StepBackFromCrossings(mesh, before, GuardShares, isLast ? Guarded : Unfolded, m_Execution);
-        done += 1.0;
-        m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
+        isAtRest = this->Round(mesh, projection, meshing + 1 == meshings ? Guarded : Unfolded) <= LargestMeanMove;
+        m_Execution.Report(begin + share * (round + 1) / MostRounds[meshing]);
       }
     }
     MendAngles(mesh, AngleLimits());
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
       this->VolumeStep(mesh, LastVolumeShare, Guarded);
-      done += 1.0;
-      m_Execution.Report(StarShare + (1.0 - StarShare) * done / all);
+      m_Execution.Report(LastStepsShare + (1.0 - LastStepsShare) * (step + 1) / LastVolumeSteps);
     }
   }
 
@@ -243,6 +243,23 @@ private:
       }
     }
     StepBackFromCrossings(mesh, before, LiftShares, Unfolded, m_Execution);
+  }
+
+  /** One round towards the image. Returns the mean length of the points' moves, in voxels, that the projection made. */
+  double
+  Round(WallMesh & mesh, const WallProjection & projection, const AngleLimits & limits) const
+  {
+    const std::vector<Point> before = mesh.points;
+    projection.Move(mesh, m_Execution);
+    double sum = 0.0;
+    for (std::size_t p = 0; p < before.size(); ++p)
+    {
+      sum += m_Field.LengthInVoxels(mesh.points[p] - before[p]);
+    }
+    ImproveTriangles(mesh, 1, m_Execution);
+    FitVolumes(mesh, m_Volumes, VolumeShare);
+    StepBackFromCrossings(mesh, before, GuardShares, limits, m_Execution);
+    return sum / static_cast<double>(before.size());
   }
 
   void
