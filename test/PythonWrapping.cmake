@@ -27,6 +27,7 @@ add_test(NAME PythonWrapping COMMAND ${CMAKE_CTEST_COMMAND}
   --build-and-test "${PROJECT_SOURCE_DIR}" "${folder}/build" --build-generator Ninja --build-noclean
   --build-options "-DITK_DIR=${base}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
     "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}" -DBUILD_TESTING=OFF
+    "-DTissueTessellation_CORE_OBJECTS=${PROJECT_BINARY_DIR}/src/Core/CMakeFiles/TissueTessellationCore.dir"
   --test-command ${CMAKE_COMMAND} -E env "PYTHONPATH=${base}/Wrapping/Generators/Python" /usr/bin/python3
     -B -m unittest discover -s "${PROJECT_SOURCE_DIR}/wrapping/test" -p "*Test.py")
 set_tests_properties(PythonWrapping PROPERTIES FIXTURES_REQUIRED PythonWrappingBase PROCESSORS 2)
