@@ -9,6 +9,8 @@ itk_module(TissueTessellation
     ITKCommon
     ITKConnectedComponents
     ITKDistanceMap
+    ITKHDF5
+    ITKIOImageBase
     ITKImageGrid
     ITKImageIntensity
     ITKImageNoise
@@ -18,9 +20,11 @@ itk_module(TissueTessellation
     ITKSmoothing
     ITKThresholding
     ITKWatersheds
+    ITKZLIB
   TEST_DEPENDS
     ITKTestKernel
     ITKGoogleTest
+    ITKIOTIFF
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
   ENABLE_SHARED

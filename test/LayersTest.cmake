@@ -116,7 +116,8 @@ macro(check_programs file line)
 endmacro()
 
 check_includes(check_core ${ROOT}/include/TissueTessellationCore/*.h ${ROOT}/src/Core/*.h ${ROOT}/src/Core/*.cxx)
-check_includes(check_filters ${ROOT}/include/itk*.h ${ROOT}/include/itk*.hxx ${ROOT}/src/Filters/*.cxx)
+check_includes(check_filters ${ROOT}/include/itk*.h ${ROOT}/include/itk*.hxx ${ROOT}/src/Filters/*.h
+  ${ROOT}/src/Filters/*.cxx)
 check_includes(check_bridge ${ROOT}/include/TissueTessellationVTK*.h)
 check_includes(check_programs ${ROOT}/apps/*.h ${ROOT}/apps/*.cxx)
 
