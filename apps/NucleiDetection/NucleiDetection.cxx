@@ -16,9 +16,7 @@
 #include "Shared/Points/NucleiSearch.h"
 #include "Shared/Points/PointFileWriter.h"
 
-#include <array>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,12 +26,12 @@ using namespace tissue;
 
 struct Options
 {
-  std::string                          image;
-  std::string                          points;
-  std::string                          picture;
-  DetectionOptions                     detection;
-  std::optional<std::array<double, 3>> spacing;
-  RunOptions                           run;
+  std::string      image;
+  std::string      points;
+  std::string      picture;
+  DetectionOptions detection;
+  ImageOptions     input;
+  RunOptions       run;
 };
 
 void
@@ -41,14 +39,17 @@ AddOptions(CLI::App & app, Options & options)
 {
   app.option_defaults()->always_capture_default();
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  app.add_option("image", options.image, "3-D image of one component, of any type that ITK reads")->required();
+  app
+    .add_option(
+      "image", options.image, "3-D image of one component, in any of ITK's formats, TIFF, HDF5 (FILE:/NAME) or .inr.gz")
+    ->required();
   app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
   app
     .add_option(
       "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles")
     ->check(EndsIn(".png"));
   AddDetectionOptions(app, options.detection);
-  app.add_option("--spacing", options.spacing, "Size of a voxel, in place of the file's")->check(InRange(1e-12, 1e12));
+  AddImageOptions(app, options.input);
   app.add_option("--threads", options.run.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
   app.add_flag("--quiet", options.run.isQuiet, "Print nothing but errors and warnings");
 }
@@ -141,7 +142,7 @@ main(int argc, char * argv[])
     ProgressBar progress(options.run.isQuiet);
 
     progress.Begin("Reading");
-    const ScalarImageFile file = ReadScalarImage(options.image, options.spacing);
+    const ScalarImageFile file = ReadScalarImage(options.image, options.input);
     const auto            detection =
       WithFileName(options.image, [&] { return DetectNuclei(file.image, options.detection, progress); });
     WriteOutputs(ToTable(*detection), file.image, options, progress);

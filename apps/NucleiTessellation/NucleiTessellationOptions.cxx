@@ -23,7 +23,10 @@ AddPointFileOptions(CLI::App & app, PointFileOptions & options)
     ->expected(3)
     ->type_name("X Y Z")
     ->group(group);
-  app.add_option("--frame", options.frame, "Time point that is taken of a table with several, or 'all'")
+  app
+    .add_option("--frame",
+                options.frame,
+                "Time point that is taken of a table with several, or 'all'; of an image of nuclei, from 1 on")
     ->type_name("T")
     ->group(group);
   app.add_option("--firstLine", options.firstLine, "Line of the first point in a table, where that is not found")
@@ -81,8 +84,61 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
       "--membrane", options.membrane.file, "Image of bright cell membranes, which is segmented from the points")
     ->type_name("FILE")
     ->group("Membranes");
+  app
+    .add_option("--membraneChannel",
+                options.membrane.image.channel,
+                "Its channel, where it is another one than --channel, which is then that of the nuclei")
+    ->type_name("NUMBER")
+    ->check(InRange(1, 1e6))
+    ->group("Membranes");
+  app
+    .add_option(
+      "--membraneFrame", options.membrane.image.frame, "Its frame, where the points are a table or of another frame")
+    ->type_name("NUMBER")
+    ->check(InRange(1, 1e6))
+    ->group("Membranes");
   AddMembraneOptions(app, options.membrane);
+  // Of points, --frame is that of their table.
+  hasLabels ? AddImageOptions(app, options.centers.image) : AddSpacingAndChannel(app, options.centers.image);
   AddDetectionOptions(app, options.centers.detection);
+}
+
+/** A frame of an image, which --frame gives where there is no table of points.
+ * \throws std::runtime_error where it is no number from 1 on. */
+unsigned int
+ToImageFrame(const std::string & text)
+{
+  if (text.empty() || text.size() > 6 || text.find_first_not_of("0123456789") != std::string::npos ||
+      std::stoul(text) == 0)
+  {
+    throw std::runtime_error("--frame " + text + ": of an image it is a number from 1 on");
+  }
+  return static_cast<unsigned int>(std::stoul(text));
+}
+
+/** How the further images are read, and that there is one at all. */
+void
+CompleteImageOptions(NucleiTessellationOptions & options)
+{
+  ImageOptions & image = options.centers.image;
+  const bool     isPointFile = options.centers.centersOf.empty() && IsPointFile(options.centers.file);
+  const bool     hasMembranes = !options.membrane.file.empty();
+  std::string &  frame = options.centers.points.frame;
+  if (!isPointFile && !frame.empty())
+  {
+    image.frame = ToImageFrame(frame);
+    frame.clear();
+  }
+  if (image.AreGiven() && isPointFile && !hasMembranes && options.centers.box.empty())
+  {
+    throw std::runtime_error("--spacing and --channel are of an image: --box gives that of the points");
+  }
+  const ImageOptions ofMembranes = options.membrane.image;
+  options.membrane.image = isPointFile ? image : image.ForFurther();
+  options.membrane.image.channel = ofMembranes.channel > 0 ? ofMembranes.channel : image.channel;
+  options.membrane.image.frame = ofMembranes.frame > 0 ? ofMembranes.frame : image.frame;
+  options.membrane.image.frameOption = isPointFile ? "--membraneFrame" : "--frame";
+  options.evaluation.image = image.ForFurther();
 }
 } // namespace
 
@@ -109,6 +165,7 @@ ParseCommandLine(int argc, char ** argv)
     return std::nullopt;
   }
   options.method.parameters.keepStages = !options.evaluation.against.empty();
+  CompleteImageOptions(options);
   RequireInRange(options.method.parameters);
   return options;
 }
@@ -137,10 +194,14 @@ ToJson(const NucleiTessellationOptions & options)
                           { "dark", d.isDark } };
   }
   json["columns"] = centers.points.columns;
-  json["frame"] = centers.points.frame;
   json["firstLine"] = centers.points.firstLine;
   json["pointSpacing"] = centers.points.spacing ? nlohmann::ordered_json(*centers.points.spacing) : nullptr;
   json["box"] = centers.box;
+  AddToJson(centers.image, json);
+  if (isPointFile)
+  {
+    json["frame"] = centers.points.frame;
+  }
   json["voxelsPerCell"] = centers.voxelsPerCell;
   json["layer"] = centers.layer;
   json["evaluateAgainst"] = options.evaluation.against;

@@ -30,6 +30,8 @@ struct CenterOptions
   PointFileOptions points;
   /** An image that fills the box that the points were seen in; empty: that of another image, or none is known. */
   std::string box;
+  /** How the image is read that they are from, or else that of the membranes or the box. */
+  ImageOptions image;
   /** How the nuclei are found, if their image is given in place of points. */
   DetectionOptions detection;
   /** Of the label image made of the points; 50 .. 1e6. */

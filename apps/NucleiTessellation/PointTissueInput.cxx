@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "NucleiTessellation/PointTissueInput.h"
 
+#include "NucleiTessellation/PointBox.h"
+#include "NucleiTessellation/PointUnits.h"
 #include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Images/ImageInput.h"
 #include "Shared/Points/PointFileReader.h"
@@ -99,13 +101,15 @@ ReadPoints(const std::string & path, const PointFileOptions & options)
 
 /** The centres of the cells of a label image. */
 LabelledPoints
-ReadCenters(const std::string & path, ProgressBar & progress)
+ReadCenters(const CenterOptions & centers, ProgressBar & progress)
 {
   LabelImageOptions options;
-  options.file = path;
+  options.file = centers.centersOf;
+  options.input = centers.image;
   const TissueInput image = ExtractTissue(ReadLabelImage(options, progress), JunctionOptions(), progress);
   LabelledPoints    result;
   result.exteriorLabel = image.extracted.exteriorLabel;
+  result.image.unit = image.image.unit;
   result.warnings = image.warnings;
   result.seconds.read = image.seconds.read;
   const std::vector<Cell> & cells = image.GetJunctionSet().cells;
@@ -119,12 +123,12 @@ ReadCenters(const std::string & path, ProgressBar & progress)
 
 /** The nuclei of an image, numbered from 1 on. */
 LabelledPoints
-FindNuclei(const std::string & path, const DetectionOptions & options, ProgressBar & progress)
+FindNuclei(const CenterOptions & options, ProgressBar & progress)
 {
   constexpr std::size_t minimum = 4;
-  const Stain           stain = ReadStain(path);
+  const Stain           stain = ReadStain(options.file, options.image);
   Stopwatch             timer;
-  const auto            detection = DetectNuclei(stain.image, options, progress);
+  const auto            detection = DetectNuclei(stain.image, options.detection, progress);
   const auto * const    nuclei = detection->GetOutput();
   LabelledPoints        result;
   for (itk::SizeValueType i = 0; i < nuclei->GetNumberOfPoints(); ++i)
@@ -149,9 +153,7 @@ FindNuclei(const std::string & path, const DetectionOptions & options, ProgressB
 void
 RequireImageOrPoints(const std::string & path)
 {
-  using Factory = itk::ImageIOFactory;
-  if (std::filesystem::is_regular_file(path) &&
-      !Factory::CreateImageIO(path.c_str(), Factory::IOFileModeEnum::ReadMode))
+  if (std::filesystem::is_regular_file(path) && !IsImageFile(path))
   {
     throw std::runtime_error(
       "neither an image in a format that ITK reads nor a file of points: tables are .csv, .tsv or "
@@ -165,7 +167,7 @@ ReadCells(const CenterOptions & options, ProgressBar & progress)
   progress.Begin("Reading");
   if (!options.centersOf.empty())
   {
-    return ReadCenters(options.centersOf, progress);
+    return ReadCenters(options, progress);
   }
   if (IsPointFile(options.file))
   {
@@ -173,35 +175,10 @@ ReadCells(const CenterOptions & options, ProgressBar & progress)
   }
   if (options.points.IsOfTables() || options.points.spacing)
   {
-    throw std::runtime_error("--columns, --frame, --firstLine and --pointSpacing are for files of points");
+    throw std::runtime_error("--columns, --firstLine and --pointSpacing are for files of points");
   }
   RequireImageOrPoints(options.file);
-  return FindNuclei(options.file, options.detection, progress);
-}
-
-/** An image without pixels that fills the box of a file's. */
-itk::ImageBase<3>::Pointer
-ReadBox(const std::string & path)
-{
-  const itk::ImageIOBase::Pointer io = OpenImage(path);
-  RequireVolume(io, "an image of a tissue");
-  const auto reader = itk::ImageFileReader<ScalarImage>::New();
-  reader->SetFileName(path);
-  reader->UpdateOutputInformation();
-  const auto box = itk::ImageBase<3>::New();
-  box->CopyInformation(reader->GetOutput());
-  return box;
-}
-
-/** The box that the points were seen in: that of another image, or of the one that they are from; null if there is
- * none.
- */
-itk::ImageBase<3>::Pointer
-FindBox(const CenterOptions & options)
-{
-  const bool        isOfImage = !options.centersOf.empty() || !IsPointFile(options.file);
-  const std::string path = options.box.empty() && isOfImage ? options.Source() : options.box;
-  return path.empty() ? nullptr : WithFileName(path, [&] { return ReadBox(path); });
+  return FindNuclei(options, progress);
 }
 
 /** The label image of a tissue, and how sure it is which of its cells meet. */
@@ -274,12 +251,17 @@ TissueInput
 MakeTissue(const LabelledPoints & points, const NucleiTessellationOptions & options, TissueInput input,
            ProgressBar & progress)
 {
-  const bool                 hasMembranes = !options.membrane.file.empty();
-  const Stain                membranes = hasMembranes ? ReadStain(options.membrane.file) : Stain();
+  const bool  hasMembranes = !options.membrane.file.empty();
+  const Stain membranes = hasMembranes ? ReadStain(options.membrane.file, options.membrane.image) : Stain();
   itk::ImageBase<3>::Pointer box = membranes.image.GetPointer();
   if (!hasMembranes)
   {
-    box = FindBox(options.centers);
+    box = FindBox(options.centers, input);
+  }
+  const std::string unit = hasMembranes ? membranes.description.unit : input.image.unit;
+  if (box)
+  {
+    RequireUnitOfBox(points.points, points.unit, box, unit);
   }
   EstimatedTissue tissue = EstimateTissue(points.points, box, options.centers, progress);
   if (hasMembranes)
@@ -288,6 +270,7 @@ MakeTissue(const LabelledPoints & points, const NucleiTessellationOptions & opti
   }
   const std::string & pixelType = hasMembranes ? membranes.description.pixelType : input.image.pixelType;
   input.image = DescribeImage(tissue.labels.GetPointer(), pixelType);
+  input.image.unit = unit;
   input.extracted = ExtractPointJunctions(tissue, points, options.method.parameters, progress);
   input.seconds.read += membranes.readSeconds;
   input.seconds.segment += tissue.seconds;
@@ -321,8 +304,8 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
     {
       throw std::runtime_error("--evaluateByLabel needs labels that are numbers: here they are names");
     }
-    JunctionSet          cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
-    TissueInput          input;
+    JunctionSet cells = MakePointJunctions(points.points, points.labels, points.exteriorLabel);
+    TissueInput input;
     input.file = options.centers.Source();
     input.numberOfPoints = points.points.size();
     input.pointUnit = points.unit;

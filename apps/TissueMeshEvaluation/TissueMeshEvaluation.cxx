@@ -55,11 +55,10 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option(
     "--exteriorLabel", options.image.exteriorLabel, "Label of the exterior; found in the image by default");
   app.add_flag("--zeroIsCell", options.image.zeroIsCell, "Take label 0 for a cell");
-  app.add_option("--spacing", options.image.spacing, "Voxel size x y z in place of the image file's")
-    ->check(InRange(1e-12, 1e12));
+  AddImageOptions(app, options.image.input);
   app.add_option("--threads", options.run.threads, "Threads; 0: all cores. The result does not depend on it")
     ->check(CLI::Range(0, 1024));
-  app.add_flag("--quiet", options.run.isQuiet, "Say nothing but errors");
+  app.add_flag("--quiet", options.run.isQuiet, "Say nothing but errors and warnings");
 }
 
 /** Throws for everything that would make the report impossible, before the work. */
@@ -266,6 +265,10 @@ main(int argc, char ** argv)
     ProgressBar progress(options.run.isQuiet);
 
     const LabelImage image = ReadLabelImage(options.image, progress);
+    for (const std::string & warning : image.warnings)
+    {
+      std::cerr << "TissueMeshEvaluation: warning: " << options.image.file << ": " << warning << '\n';
+    }
     const auto       extracted = FindJunctions(image, options.image, progress);
     const auto       triangles = ReadMesh(options, progress);
     const Evaluation evaluation = Evaluate(extracted, triangles, options.mesh, progress);

@@ -21,10 +21,7 @@ AddImageOptions(CLI::App & app, LabelImageOptions & options)
   app.add_option("--exteriorLabel", options.exteriorLabel, "Label of the exterior; found in the image by default")
     ->group(group);
   app.add_flag("--zeroIsCell", options.zeroIsCell, "Take label 0 for a cell")->group(group);
-  app.add_option("--spacing", options.spacing, "Voxel size x y z in place of the file's")
-    ->type_name("FLOAT FLOAT FLOAT")
-    ->check(InRange(1e-12, 1e12))
-    ->group(group);
+  AddImageOptions(app, options.input);
   // A flag with a value, so that the width can be left out: 0 stands for the automatic one.
   app
     .add_flag(
@@ -41,7 +38,11 @@ AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & o
 {
   if (!hasMembranes)
   {
-    app.add_option("labels", options.image.file, "Segmented 3-D image in any of ITK's formats; none with --membrane")
+    app
+      .add_option(
+        "labels",
+        options.image.file,
+        "Segmented 3-D image in any of ITK's formats, TIFF, HDF5 (FILE:/NAME) or .inr.gz; none with --membrane")
       ->required()
       ->type_name("FILE");
   }
@@ -91,6 +92,8 @@ ParseCommandLine(int argc, char ** argv)
   const CLI::Option * const closeGaps = app.get_option("--closeGaps");
   options.image.closeGaps = *closeGaps ? std::optional<double>(closeGaps->as<double>()) : std::nullopt;
   options.method.parameters.keepStages = !options.evaluation.against.empty();
+  options.membrane.image = options.image.input;
+  options.evaluation.image = options.image.input.ForFurther();
   RequireInRange(options.method.parameters);
   return options;
 }
@@ -103,7 +106,7 @@ ToJson(const TissueTessellationOptions & options)
   json["preset"] = options.method.preset;
   json["exteriorLabel"] = image.exteriorLabel ? nlohmann::ordered_json(*image.exteriorLabel) : "automatic";
   json["zeroIsCell"] = image.zeroIsCell;
-  json["spacing"] = image.spacing ? nlohmann::ordered_json(*image.spacing) : "of the image";
+  AddToJson(image.input, json);
   json["closeGaps"] = image.closeGaps ? nlohmann::ordered_json(*image.closeGaps) : "off";
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;

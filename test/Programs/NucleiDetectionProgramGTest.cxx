@@ -137,12 +137,14 @@ TEST_F(NucleiDetectionApp, WarnsWhereThereAreNoNuclei)
   for (const char * options : { "", " --quiet" })
   {
     ASSERT_EQ(
-      this->Run(std::string("slope.mha points.csv --minimumScale 1 --maximumScale 4 --threshold 0.5") + options), 0);
+      this->Run(std::string("slope.mha points.csv --spacing 1 1 1 --minimumScale 1 --maximumScale 4 --threshold 0.5") +
+                options),
+      0);
     EXPECT_EQ(m_Errors,
               "NucleiDetection: warning: slope.mha: no nuclei of scales from 1 to 4 with a response of 0.5 or more\n");
     EXPECT_EQ(ReadBytes(this->PathOf("points.csv")), "x,y,z,Label,scale,radius,response\n");
   }
-  ASSERT_EQ(this->Run("slope.mha points.csv"), 0);
+  ASSERT_EQ(this->Run("slope.mha points.csv --spacing 1 1 1"), 0);
   EXPECT_EQ(m_Errors, "NucleiDetection: warning: slope.mha: no nuclei, nor any blob that tells their scales\n");
 }
 

@@ -88,9 +88,10 @@ TEST_F(TissueTessellationAppErrors, ImagesThatAreNoLabelImages)
   this->ExpectRefusal("colored.mha walls.vtp", { "the image has 3 components a voxel, a label image has 1" });
   const auto floating = itk::Image<float, 3>::New();
   floating->SetRegions(itk::Size<3>{ { 8, 8, 8 } });
-  floating->Allocate(true);
+  floating->Allocate();
+  floating->FillBuffer(0.5f);
   this->WriteImage(floating.GetPointer(), "float.mha");
-  this->ExpectRefusal("float.mha walls.vtp", { "voxels of type float, labels are integers" });
+  this->ExpectRefusal("float.mha walls.vtp", { "the voxel at index (0, 0, 0) has the value 0.5" });
 }
 
 TEST_F(TissueTessellationAppErrors, ImagesThatAreNoTissue)

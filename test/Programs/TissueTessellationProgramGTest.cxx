@@ -161,7 +161,7 @@ TEST_F(TissueTessellationApp, WarnsOfLostVoxelSizes)
   EXPECT_EQ(m_Errors + m_Output, "");
   this->WriteTissue<unsigned char>("tissue.tif");
   ASSERT_EQ(this->Run("tissue.tif walls.vtp --quiet"), 0);
-  EXPECT_NE(m_Errors.find("warning: a TIFF file holds no distance of its slices"), std::string::npos) << m_Errors;
+  EXPECT_NE(m_Errors.find("warning: the file tells no distance of its slices"), std::string::npos) << m_Errors;
 }
 
 TEST_F(TissueTessellationApp, PresetsCanBeOverriddenInAnyOrder)

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Shared/Files/ImageDataFiles.h"
 
+#include "itkStackHDF5ImageIO.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -94,8 +96,13 @@ FindImageDataFiles(const std::string & header)
   static const std::regex meta(R"(ElementDataFile\s*=\s*(.+))");
   static const std::regex nrrd(R"(data ?file:\s*(.+))", std::regex::icase);
   const fs::path          path(header);
-  const fs::path          extension = path.extension() == ".gz" ? path.stem().extension() : path.extension();
-  const bool              isMeta = extension == ".mhd" || extension == ".mha";
+  const std::string       hdf5 = itk::StackHDF5ImageIO::SplitPath(header).first;
+  if (hdf5 != header)
+  {
+    return { hdf5 };
+  }
+  const fs::path extension = path.extension() == ".gz" ? path.stem().extension() : path.extension();
+  const bool     isMeta = extension == ".mhd" || extension == ".mha";
   if (extension == ".hdr" || extension == ".img")
   {
     return { OtherOfPair(header, extension.string()) };

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Images/ImageFileCheck.h"
 
+#include <itkMetaDataObject.h>
 #include <itk_zlib.h>
 
 #include <cstdint>
@@ -37,6 +38,17 @@ CountBytes(const std::string & path)
   }
   return total;
 }
+/** Bytes of the voxels in the file: a scaled image of NIfTI holds integers where its header promises floats. */
+std::uint64_t
+CountNeededBytes(const itk::ImageIOBase * io)
+{
+  const auto  bytes = static_cast<std::uint64_t>(io->GetImageSizeInBytes());
+  std::string bits;
+  return io->GetNameOfClass() == std::string("NiftiImageIO") &&
+             itk::ExposeMetaData<std::string>(io->GetMetaDataDictionary(), "bitpix", bits)
+           ? bytes / (io->GetComponentSize() * io->GetNumberOfComponents()) * std::stoul(bits) / 8
+           : bytes;
+}
 } // namespace
 
 void
@@ -51,7 +63,7 @@ RequireAllVoxels(const std::string & path, const itk::ImageIOBase * io)
   {
     return;
   }
-  const std::uint64_t needed = header->second + static_cast<std::uint64_t>(io->GetImageSizeInBytes());
+  const std::uint64_t needed = header->second + CountNeededBytes(io);
   const std::uint64_t found = CountBytes(path);
   if (found < needed)
   {

@@ -14,17 +14,22 @@
 namespace tissue
 {
 ScalarImageFile
-ReadScalarImage(const std::string & path, const std::optional<std::array<double, 3>> & spacing)
+ReadScalarImage(const std::string & path, const ImageOptions & options)
 {
   return WithFileName(path, [&] {
     StandardErrorCapture            messages;
-    const itk::ImageIOBase::Pointer io = OpenImage(path);
+    const itk::ImageIOBase::Pointer io = OpenImage(path, options, ImageKind::Stain);
     RequireVolume(io, "an image of a stain");
     RequireAllVoxels(path, io);
     ScalarImageFile file;
-    file.image = ReadImage<ScalarImage>(path, spacing);
+    file.image = ReadImage<ScalarImage>(io, options);
     file.pixelType = itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType());
+    file.unit = FindUnit(io, options);
     file.warnings = JudgeMessages(messages.Release(), io);
+    for (const std::string & warning : FindHeaderWarnings(io, options))
+    {
+      file.warnings.push_back(warning);
+    }
     return file;
   });
 }

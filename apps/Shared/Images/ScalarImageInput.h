@@ -7,10 +7,10 @@
 #ifndef ScalarImageInput_h
 #define ScalarImageInput_h
 
+#include "Shared/Images/ImageOptions.h"
+
 #include <itkImage.h>
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,14 +22,16 @@ struct ScalarImageFile
 {
   ScalarImage::Pointer image;
   /** Of the file. */
-  std::string              pixelType;
+  std::string pixelType;
+  /** Of its lengths; empty: not known. */
+  std::string              unit;
   std::vector<std::string> warnings;
 };
 
-/** Reads an image of a stain, of any type of voxels; `spacing` in place of the file's.
- * \throws FileError: no such file, not readable, cut off, not three-dimensional, more than one component. */
+/** Reads an image of a stain, of any type of voxels.
+ * \throws FileError: as OpenImage(), cut off, not three-dimensional, more than one component. */
 ScalarImageFile
-ReadScalarImage(const std::string & path, const std::optional<std::array<double, 3>> & spacing = std::nullopt);
+ReadScalarImage(const std::string & path, const ImageOptions & options);
 } // namespace tissue
 
 #endif

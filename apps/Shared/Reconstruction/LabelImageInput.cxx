@@ -10,51 +10,66 @@
 #include "Shared/Images/ImageFileCheck.h"
 #include "Shared/Images/ImageInput.h"
 #include "Shared/Images/StandardErrorCapture.h"
+#include "Shared/Images/WholeNumbers.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkLabelGapClosingImageFilter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace tissue
 {
 namespace
 {
+bool
+IsOfFloats(const itk::ImageIOBase * io)
+{
+  const auto type = io->GetComponentType();
+  return type == itk::IOComponentEnum::FLOAT || type == itk::IOComponentEnum::DOUBLE;
+}
+
 /** Throws where the image, by its header, is no label image. */
 void
 RequireLabelImage(const itk::ImageIOBase * io)
 {
   RequireVolume(io, "a label image");
   const auto type = io->GetComponentType();
-  if (type == itk::IOComponentEnum::FLOAT || type == itk::IOComponentEnum::DOUBLE ||
-      type == itk::IOComponentEnum::LDOUBLE || type == itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE)
+  if (type == itk::IOComponentEnum::LDOUBLE || type == itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE)
   {
     throw std::runtime_error("the image has voxels of type " + itk::ImageIOBase::GetComponentTypeAsString(type) +
                              ", labels are integers");
   }
 }
 
-/** What there is to doubt of the voxels' size. */
-std::vector<std::string>
-CheckSpacing(const itk::ImageIOBase * io, const std::array<double, 3> & spacing)
+/** The labels of an image whose voxels are floats. */
+template <typename TPixel>
+WholeNumberImage::Pointer
+ReadWholeNumbers(itk::ImageIOBase * io, const ImageOptions & options)
 {
-  // Some formats hold the inverse of the spacing, in single precision.
-  const auto isOne = [](double length) { return std::abs(length - 1.0) < 1e-6; };
-  if (std::all_of(spacing.begin(), spacing.end(), isOne))
+  return ToWholeNumbers(ReadImage<itk::Image<TPixel, 3>>(io, options).GetPointer(), IsScaled(io));
+}
+
+/** The labels of an image, in the type of its voxels; those of floats become whole numbers of 64 bits. */
+template <typename TPixel>
+typename itk::Image<TPixel, 3>::Pointer
+ReadLabels(itk::ImageIOBase * io, const ImageOptions & options)
+{
+  if constexpr (std::is_same_v<TPixel, WholeNumberImage::PixelType>)
   {
-    return { "the voxels are exactly 1 x 1 x 1: the file may have lost its voxel size, which shapes and "
-             "volumes depend on; --spacing X Y Z gives it" };
+    if (io->GetComponentType() == itk::IOComponentEnum::FLOAT)
+    {
+      return ReadWholeNumbers<float>(io, options);
+    }
+    if (io->GetComponentType() == itk::IOComponentEnum::DOUBLE)
+    {
+      return ReadWholeNumbers<double>(io, options);
+    }
   }
-  if (std::string(io->GetNameOfClass()) == "TIFFImageIO")
-  {
-    return { "a TIFF file holds no distance of its slices, which is taken for 1; --spacing X Y Z gives "
-             "the voxel size" };
-  }
-  return {};
+  return ReadImage<itk::Image<TPixel, 3>>(io, options);
 }
 
 /** The exterior's label, given or found in the image; nothing where the image has none. */
@@ -119,19 +134,20 @@ CloseGaps(TImage * image, const LabelImageOptions & options, ProgressBar & progr
 
 template <typename TPixel>
 LabelImage
-ReadPixels(const itk::ImageIOBase * io, const LabelImageOptions & options, ProgressBar & progress)
+ReadPixels(itk::ImageIOBase * io, const LabelImageOptions & options, ProgressBar & progress)
 {
   using ImageType = itk::Image<TPixel, 3>;
   Stopwatch stopwatch;
   progress.Begin("Reading");
   StandardErrorCapture        messages;
-  typename ImageType::Pointer image = ReadImage<ImageType>(options.file, options.spacing);
+  typename ImageType::Pointer image = ReadLabels<TPixel>(io, options.input);
   LabelImage                  result;
   result.file = options.file;
   result.warnings = JudgeMessages(messages.Release(), io);
-  result.componentType = io->GetComponentType();
+  result.componentType = IsOfFloats(io) ? itk::IOComponentEnum::LONGLONG : io->GetComponentType();
   result.description =
-    DescribeImage(image.GetPointer(), itk::ImageIOBase::GetComponentTypeAsString(result.componentType));
+    DescribeImage(image.GetPointer(), itk::ImageIOBase::GetComponentTypeAsString(io->GetComponentType()));
+  result.description.unit = FindUnit(io, options.input);
   result.seconds.read = stopwatch.Lap().wallSeconds;
   if (options.closeGaps)
   {
@@ -148,17 +164,14 @@ ReadLabelImage(const LabelImageOptions & options, ProgressBar & progress)
 {
   return WithFileName(options.file, [&] {
     StandardErrorCapture            messages;
-    const itk::ImageIOBase::Pointer io = OpenImage(options.file);
+    const itk::ImageIOBase::Pointer io = OpenImage(options.file, options.input, ImageKind::Labels);
     std::vector<std::string>        warnings = JudgeMessages(messages.Release(), io);
     RequireLabelImage(io);
     RequireAllVoxels(options.file, io);
     LabelImage image = VisitPixelType(io->GetComponentType(),
                                       [&](auto zero) { return ReadPixels<decltype(zero)>(io, options, progress); });
     Append(image.warnings, warnings);
-    if (!options.spacing)
-    {
-      Append(CheckSpacing(io, image.description.spacing), warnings);
-    }
+    Append(FindHeaderWarnings(io, options.input), warnings);
     image.warnings = warnings;
     return image;
   });

@@ -8,6 +8,7 @@
 #define LabelImageInput_h
 
 #include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/Images/ImageOptions.h"
 #include "Shared/Images/VisitPixelType.h"
 #include "Shared/Reconstruction/JunctionInput.h"
 #include "Shared/Reconstruction/TissueInput.h"
@@ -23,8 +24,7 @@ struct LabelImageOptions
   /** Nothing: it is found in the image. */
   std::optional<Label> exteriorLabel;
   bool                 zeroIsCell = false;
-  /** Nothing: that of the file. */
-  std::optional<std::array<double, 3>> spacing;
+  ImageOptions         input;
   /** Widest gap to close, in the image's units; 0 for the automatic width; nothing: none is closed. */
   std::optional<double> closeGaps;
 };
@@ -52,8 +52,9 @@ VisitPixels(const LabelImage & image, const TVisitor & visit)
   });
 }
 
-/** \throws FileError: no such file, not readable, cut off, not three-dimensional, more than one component, not of an
- * integer type; no background to close gaps in. */
+/** Reads labels of an integer type, or of floats that are whole numbers, see ToWholeNumbers().
+ * \throws FileError: as OpenImage(), cut off, not three-dimensional, more than one component, not whole numbers; no
+ * background to close gaps in. */
 LabelImage
 ReadLabelImage(const LabelImageOptions & options, ProgressBar & progress);
 

@@ -41,13 +41,14 @@ AddToJson(const MembraneOptions & options, nlohmann::ordered_json & json)
 }
 
 Stain
-ReadStain(const std::string & path)
+ReadStain(const std::string & path, const ImageOptions & options)
 {
   Stopwatch             timer;
-  const ScalarImageFile file = ReadScalarImage(path);
+  const ScalarImageFile file = ReadScalarImage(path, options);
   Stain                 stain;
   stain.image = file.image;
   stain.description = DescribeImage(file.image.GetPointer(), file.pixelType);
+  stain.description.unit = file.unit;
   stain.warnings = file.warnings;
   stain.readSeconds = timer.Lap().wallSeconds;
   return stain;
@@ -78,7 +79,7 @@ ReadMembranes(const MembraneOptions & options, const JunctionOptions & junctionO
 {
   return WithFileName(options.file, [&] {
     progress.Begin("Reading");
-    const Stain                membranes = ReadStain(options.file);
+    const Stain                membranes = ReadStain(options.file, options.image);
     const MembraneSegmentation cells = SegmentMembranes(membranes.image, nullptr, options, progress);
     TissueInput                input;
     input.file = options.file;

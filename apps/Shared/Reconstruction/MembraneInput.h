@@ -21,7 +21,8 @@ namespace tissue
 struct MembraneOptions
 {
   /** Empty: there is none. */
-  std::string file;
+  std::string  file;
+  ImageOptions image;
   /** Of the smoothing before the watershed, in physical units; 0: none. */
   double sigma = 0.0;
   /** Of the smoothing for the minima, in physical units; 0: by a voxel. */
@@ -52,7 +53,7 @@ struct Stain
 
 /** \throws FileError as ReadScalarImage(). */
 Stain
-ReadStain(const std::string & path);
+ReadStain(const std::string & path, const ImageOptions & options);
 
 struct MembraneSegmentation
 {

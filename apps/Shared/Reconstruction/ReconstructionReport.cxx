@@ -167,6 +167,7 @@ InputToJson(const ReconstructionReport & report)
     { "pixelType", ToJsonIf(!input.image.pixelType.empty(), input.image.pixelType) },
     { "size", ToJsonIf(hasVoxels, input.image.size) },
     { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
+    { "unit", ToJsonIf(!input.image.unit.empty(), input.image.unit) },
     { "exteriorLabel", input.extracted.exteriorLabel },
     { "cells", junctions.cells.size() - 1 },
     { "voids", ToJsonIf(hasLabelImage, report.NumberOfVoids()) },
@@ -264,6 +265,10 @@ CollectWarnings(const ReconstructionReport & report)
   const CellSurfaceCheck &  check = report.tissue.check;
   const std::vector<Cell> & cells = report.GetCells();
   std::vector<std::string>  warnings = report.input.warnings;
+  if (report.evaluation)
+  {
+    Append(report.evaluation->warnings, warnings);
+  }
   const auto                addCells = [&](const std::vector<VertexId> & vertices, const std::string & what) {
     if (!vertices.empty())
     {

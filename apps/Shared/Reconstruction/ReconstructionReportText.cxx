@@ -93,7 +93,7 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
   {
     const auto & [size, spacing] = std::tie(input.image.size, input.image.spacing);
     stream << size[0] << " x " << size[1] << " x " << size[2] << " voxels of " << spacing[0] << " x " << spacing[1]
-           << " x " << spacing[2] << ", ";
+           << " x " << spacing[2] << (input.image.unit.empty() ? "" : " " + input.image.unit) << ", ";
   }
   stream << report.GetCells().size() - 1 << " cells, exterior label " << input.extracted.exteriorLabel << '\n';
   if (report.NumberOfVoids() > 0)

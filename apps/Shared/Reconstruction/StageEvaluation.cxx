@@ -98,16 +98,22 @@ EvaluateStages(const EvaluationOptions & options, const TissueInput & input,
   }
   LabelImageOptions imageOptions;
   imageOptions.file = options.against;
+  imageOptions.input = options.image;
   JunctionOptions junctionOptions;
   junctionOptions.makesVolume = true;
   const TissueInput judge = ExtractTissue(ReadLabelImage(imageOptions, progress), junctionOptions, progress);
   // Cells of the judge itself are known by their labels.
-  std::error_code    isOther;
-  const bool         isItself = std::filesystem::equivalent(input.file, options.against, isOther);
+  std::error_code isOther;
+  const bool      isItself =
+    input.file == options.against || std::filesystem::equivalent(input.file, options.against, isOther);
   const Counterparts counterparts = FindCounterparts(input.GetJunctionSet().cells, judge, isItself || options.byLabel);
   StageEvaluation    evaluation{
-    options.against, counterparts.numberOfUnknownCells, counterparts.numberOfMissedCells, {}
+    options.against, counterparts.numberOfUnknownCells, counterparts.numberOfMissedCells, {}, {}
   };
+  for (const std::string & warning : isItself ? std::vector<std::string>() : judge.warnings)
+  {
+    evaluation.warnings.push_back(options.against + ": " + warning);
+  }
   for (const ReconstructionStage & stage : reconstruction.stages)
   {
     evaluation.stages.push_back(

@@ -8,6 +8,7 @@
 #define StageEvaluation_h
 
 #include "Shared/CommandLine/ProgressBar.h"
+#include "Shared/Images/ImageOptions.h"
 #include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
@@ -20,7 +21,8 @@ namespace tissue
 struct EvaluationOptions
 {
   /** The label image that judges; empty: none. */
-  std::string against;
+  std::string  against;
+  ImageOptions image;
   /** Whether cells of the same label are the same cell, wherever their centres are. */
   bool byLabel = false;
 };
@@ -35,6 +37,8 @@ struct StageEvaluation
   /** Cells of the tissue, and of the judge, that have no counterpart. */
   std::size_t numberOfUnknownCells = 0;
   std::size_t numberOfMissedCells = 0;
+  /** What is to be said of the image that judges. */
+  std::vector<std::string> warnings;
   /** In the order of the reconstruction's stages. */
   std::vector<AdjacencyOverlap> stages;
 };

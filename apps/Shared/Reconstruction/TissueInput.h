@@ -27,6 +27,8 @@ struct ImageDescription
   /** 0 where no voxels are known. */
   std::array<std::size_t, 3> size{};
   std::array<double, 3>      spacing{};
+  /** Of the spacing, "micrometres"; empty where it is not known. */
+  std::string unit;
 };
 
 /** What became of the gaps between the cells. Widths and distances are in the image's units. */
