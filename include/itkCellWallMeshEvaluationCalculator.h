@@ -70,8 +70,8 @@ public:
   itkSetConstObjectMacro(Junctions, TissueJunctions);
   itkSetConstObjectMacro(LabelVolume, TissueLabelVolume);
 
-  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell, where junctions are extracted: see
-   * itkExteriorLabelSettings.h. */
+  /** ExteriorLabel, AutomaticExteriorLabel, ZeroIsCell, DroppedLabels and DropSuspects, where junctions are extracted:
+   * see itkExteriorLabelSettings.h. */
   itkExteriorLabelMacro();
 
   /** Default: that of MultiThreaderBase. */

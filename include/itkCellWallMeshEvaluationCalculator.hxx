@@ -91,7 +91,7 @@ CellWallMeshEvaluationCalculator<TLabelImage>::Compute()
   }
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(m_Image);
-  m_Exterior.ApplyTo(extraction.GetPointer());
+  extraction->SetExterior(m_Exterior);
   extraction->GenerateLabelVolumeOn();
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   extraction->Update();

@@ -12,6 +12,7 @@
 #include "itkProcessObject.h"
 
 #include <memory>
+#include <string>
 
 namespace tissue
 {
@@ -101,6 +102,9 @@ public:
   }
 #endif
 
+  /** What the filter is doing, in a few words, "Fitting the walls": to be asked for with its progress. */
+  itkGetStringMacro(Phase);
+
   CellWallMesh *
   GetOutput();
 
@@ -118,6 +122,10 @@ protected:
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
 
+  /** Names the phase, and tells those who observe the progress. */
+  void
+  EnterPhase(const std::string & phase);
+
 private:
   /** Replaces the parameters by a changed copy. */
   template <typename TChange>
@@ -125,6 +133,7 @@ private:
   Change(const TChange & change);
 
   std::shared_ptr<const tissue::ReconstructionParameters> m_Parameters;
+  std::string                                             m_Phase;
 };
 } // namespace itk
 

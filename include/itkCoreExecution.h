@@ -34,9 +34,11 @@ MakeExecution(MultiThreaderBase * threader)
 }
 
 /** The core's work within a filter, which must outlive what is returned: loops by the filter's threads, progress as the
- * filter's from `begin` to `end`, and stopped where the filter is to be aborted. */
+ * filter's from `begin` to `end`, and stopped where the filter is to be aborted.
+ * \param enterPhase is told the names of the phases. */
 inline tissue::Execution
-MakeExecution(ProcessObject * filter, float begin = 0.0f, float end = 1.0f)
+MakeExecution(ProcessObject * filter, float begin = 0.0f, float end = 1.0f,
+              tissue::Execution::PhaseFunction enterPhase = {})
 {
   return tissue::Execution(
     [filter](std::size_t count, const tissue::Execution::LoopBody & body) {
@@ -46,7 +48,8 @@ MakeExecution(ProcessObject * filter, float begin = 0.0f, float end = 1.0f)
     [filter, begin, end](double fraction) {
       filter->UpdateProgress(begin + (end - begin) * static_cast<float>(fraction));
       return !filter->GetAbortGenerateData();
-    });
+    },
+    std::move(enterPhase));
 }
 
 /** What `work` returns. The core's exceptions become ITK's: tissue::Aborted ProcessAborted, and those for input that it

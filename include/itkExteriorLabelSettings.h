@@ -11,7 +11,9 @@
 #include "itkIndent.h"
 #include "itkMacro.h"
 
+#include <algorithm>
 #include <ostream>
+#include <vector>
 
 namespace itk
 {
@@ -22,48 +24,79 @@ namespace itk
  */
 struct ExteriorLabelSettings
 {
-  tissue::Label label = 0;
-  bool          isAutomatic = true;
-  bool          zeroIsCell = false;
+  /** None twice; the first one stands for the exterior. They mean nothing where isAutomatic is set. */
+  std::vector<tissue::Label> labels;
+  bool                       isAutomatic = true;
+  bool                       zeroIsCell = false;
+  /** None twice. */
+  std::vector<tissue::Label> dropped;
+  bool                       dropsSuspects = false;
 
-  /** Gives a filter that has the same settings these. */
-  template <typename TFilter>
-  void
-  ApplyTo(TFilter * filter) const
+  /** Adds the label to one of the lists; false where it is there already. */
+  static bool
+  Add(tissue::Label label, std::vector<tissue::Label> & list)
   {
-    filter->SetExteriorLabel(label);
-    filter->SetAutomaticExteriorLabel(isAutomatic);
-    filter->SetZeroIsCell(zeroIsCell);
+    const bool isNew = std::find(list.begin(), list.end(), label) == list.end();
+    if (isNew)
+    {
+      list.push_back(label);
+    }
+    return isNew;
   }
 
   void
   Print(std::ostream & os, Indent indent) const
   {
-    os << indent << "ExteriorLabel: " << label << std::endl;
+    const auto print = [&](const char * name, const std::vector<tissue::Label> & list) {
+      os << indent << name << ":";
+      for (const tissue::Label label : list)
+      {
+        os << ' ' << label;
+      }
+      os << std::endl;
+    };
+    print("ExteriorLabels", labels);
     os << indent << "AutomaticExteriorLabel: " << (isAutomatic ? "On" : "Off") << std::endl;
     os << indent << "ZeroIsCell: " << (zeroIsCell ? "On" : "Off") << std::endl;
+    print("DroppedLabels", dropped);
+    os << indent << "DropSuspects: " << (dropsSuspects ? "On" : "Off") << std::endl;
   }
 };
 } // namespace itk
 
-/** The settings of the exterior's label, of a class that keeps them as an itk::ExteriorLabelSettings in m_Exterior:
+/** The settings of the exterior's labels, of a class that keeps them as an itk::ExteriorLabelSettings in m_Exterior:
  *
- * - ExteriorLabel: the label of the exterior of the tissue. To set it turns AutomaticExteriorLabel off.
- * - AutomaticExteriorLabel: find that label by ExteriorLabelImageCalculator. Default: on.
- * - ZeroIsCell: take label 0 for a cell, if it is not the exterior label. Default: off. */
+ * - ExteriorLabel: the label of the exterior of the tissue. To set it turns AutomaticExteriorLabel off. By
+ *   AddExteriorLabel() there are several, which are one exterior; the first one stands for it. GetExteriorLabel() is 0
+ *   where none was set.
+ * - AutomaticExteriorLabel: find the labels by ExteriorLabelImageCalculator. Default: on.
+ * - ZeroIsCell: take label 0 for a cell, if it is not the exterior label. Default: off.
+ * - DroppedLabels: labels that are no cells and join the exterior, whether that is found or set. Default: none.
+ * - DropSuspects: drop the labels that tissue::FindSuspectCells() names, too. Default: off. */
 #define itkExteriorLabelMacro()                                                                                        \
   virtual void SetExteriorLabel(tissue::Label label)                                                                   \
   {                                                                                                                    \
-    if (m_Exterior.label != label || m_Exterior.isAutomatic)                                                           \
+    if (m_Exterior.isAutomatic || m_Exterior.labels != std::vector<tissue::Label>{ label })                            \
     {                                                                                                                  \
-      m_Exterior.label = label;                                                                                        \
+      m_Exterior.labels = { label };                                                                                   \
       m_Exterior.isAutomatic = false;                                                                                  \
       this->Modified();                                                                                                \
     }                                                                                                                  \
   }                                                                                                                    \
   virtual tissue::Label GetExteriorLabel() const                                                                       \
   {                                                                                                                    \
-    return m_Exterior.label;                                                                                           \
+    return m_Exterior.labels.empty() ? tissue::Label{ 0 } : m_Exterior.labels.front();                                 \
+  }                                                                                                                    \
+  virtual void AddExteriorLabel(tissue::Label label)                                                                   \
+  {                                                                                                                    \
+    if (m_Exterior.isAutomatic)                                                                                        \
+    {                                                                                                                  \
+      this->SetExteriorLabel(label);                                                                                   \
+    }                                                                                                                  \
+    else if (itk::ExteriorLabelSettings::Add(label, m_Exterior.labels))                                                \
+    {                                                                                                                  \
+      this->Modified();                                                                                                \
+    }                                                                                                                  \
   }                                                                                                                    \
   virtual void SetAutomaticExteriorLabel(bool isAutomatic)                                                             \
   {                                                                                                                    \
@@ -90,6 +123,34 @@ struct ExteriorLabelSettings
   {                                                                                                                    \
     return m_Exterior.zeroIsCell;                                                                                      \
   }                                                                                                                    \
-  itkBooleanMacro(ZeroIsCell)
+  itkBooleanMacro(ZeroIsCell);                                                                                         \
+  virtual void AddDroppedLabel(tissue::Label label)                                                                    \
+  {                                                                                                                    \
+    if (itk::ExteriorLabelSettings::Add(label, m_Exterior.dropped))                                                    \
+    {                                                                                                                  \
+      this->Modified();                                                                                                \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  virtual void ClearDroppedLabels()                                                                                    \
+  {                                                                                                                    \
+    if (!m_Exterior.dropped.empty())                                                                                   \
+    {                                                                                                                  \
+      m_Exterior.dropped.clear();                                                                                      \
+      this->Modified();                                                                                                \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  virtual void SetDropSuspects(bool dropsSuspects)                                                                     \
+  {                                                                                                                    \
+    if (m_Exterior.dropsSuspects != dropsSuspects)                                                                     \
+    {                                                                                                                  \
+      m_Exterior.dropsSuspects = dropsSuspects;                                                                        \
+      this->Modified();                                                                                                \
+    }                                                                                                                  \
+  }                                                                                                                    \
+  virtual bool GetDropSuspects() const                                                                                 \
+  {                                                                                                                    \
+    return m_Exterior.dropsSuspects;                                                                                   \
+  }                                                                                                                    \
+  itkBooleanMacro(DropSuspects)
 
 #endif

@@ -71,6 +71,12 @@ public:
    * valid after the update. */
   itkGetConstMacro(LargestDistance, double);
 
+  /** How well the gaps are closed: of the places on the lines of voxels where a cell is next to another one, or less
+   * than the diameter of the mean cell away with background alone between them, the share of the latter; and the width
+   * that nine tenths of these have at most, 0 where there are none. Valid after the update. */
+  itkGetConstMacro(ShareOfGapsLeft, double);
+  itkGetConstMacro(WidthOfGapsLeft, double);
+
 protected:
   LabelGapClosingImageFilter() = default;
   ~LabelGapClosingImageFilter() override = default;
@@ -113,8 +119,14 @@ private:
   double
   ComputeMeanCellDiameter() const;
 
+  /** Adds the lengths of the runs of background between two different cells, up to a limit, and the number of places
+   * where two cells meet. */
   void
-  CollectGapLengths(unsigned int axis, double limit, std::vector<double> & lengths) const;
+  CollectGapLengths(const LabelImageType * image, unsigned int axis, double limit, std::vector<double> & lengths,
+                    SizeValueType & numberOfContacts) const;
+
+  void
+  MeasureGapsLeft();
 
   /** Computes the closing of all cells together with the narrow voids it encloses. */
   MaskPointer
@@ -141,6 +153,8 @@ private:
   double        m_GapWidth = 0.0;
   double        m_UsedGapWidth = 0.0;
   double        m_LargestDistance = 0.0;
+  double        m_ShareOfGapsLeft = 0.0;
+  double        m_WidthOfGapsLeft = 0.0;
   SizeValueType m_NumberOfChangedVoxels = 0;
 
   LabelPixelType m_BackgroundLabel = 0;

@@ -71,6 +71,30 @@ LabelGapClosingImageFilter<TLabelImage>::GenerateData()
     const double reach = (m_UsedGapWidth + *std::max_element(spacing.Begin(), spacing.End())) * (1.0 + 1e-5);
     this->GrowCells(this->ComputeGapMask(0.5 * reach), reach);
   }
+  this->MeasureGapsLeft();
+}
+
+template <typename TLabelImage>
+void
+LabelGapClosingImageFilter<TLabelImage>::MeasureGapsLeft()
+{
+  const double        limit = this->ComputeMeanCellDiameter();
+  std::vector<double> lengths;
+  SizeValueType       numberOfContacts = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    this->CollectGapLengths(this->GetOutput(), axis, limit, lengths, numberOfContacts);
+  }
+  m_ShareOfGapsLeft = 0.0;
+  m_WidthOfGapsLeft = 0.0;
+  if (!lengths.empty())
+  {
+    const auto numberOfGaps = static_cast<double>(lengths.size());
+    const auto wide = lengths.begin() + static_cast<std::ptrdiff_t>(0.9 * numberOfGaps);
+    std::nth_element(lengths.begin(), wide, lengths.end());
+    m_ShareOfGapsLeft = numberOfGaps / (numberOfGaps + static_cast<double>(numberOfContacts));
+    m_WidthOfGapsLeft = *wide;
+  }
 }
 
 template <typename TLabelImage>
@@ -79,9 +103,10 @@ LabelGapClosingImageFilter<TLabelImage>::EstimateGapWidth() const
 {
   const double        limit = 0.5 * this->ComputeMeanCellDiameter();
   std::vector<double> lengths;
+  SizeValueType       numberOfContacts = 0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    this->CollectGapLengths(axis, limit, lengths);
+    this->CollectGapLengths(this->GetInput(), axis, limit, lengths, numberOfContacts);
   }
   if (lengths.empty())
   {
@@ -117,13 +142,13 @@ LabelGapClosingImageFilter<TLabelImage>::ComputeMeanCellDiameter() const
 
 template <typename TLabelImage>
 void
-LabelGapClosingImageFilter<TLabelImage>::CollectGapLengths(unsigned int axis, double limit,
-                                                           std::vector<double> & lengths) const
+LabelGapClosingImageFilter<TLabelImage>::CollectGapLengths(const LabelImageType * image, unsigned int axis,
+                                                           double limit, std::vector<double> & lengths,
+                                                           SizeValueType & numberOfContacts) const
 {
-  const LabelImageType * input = this->GetInput();
-  const double           spacing = input->GetSpacing()[axis];
+  const double spacing = image->GetSpacing()[axis];
 
-  ImageLinearConstIteratorWithIndex<LabelImageType> it(input, input->GetLargestPossibleRegion());
+  ImageLinearConstIteratorWithIndex<LabelImageType> it(image, image->GetLargestPossibleRegion());
   it.SetDirection(axis);
   for (it.GoToBegin(); !it.IsAtEnd(); it.NextLine())
   {
@@ -142,6 +167,7 @@ LabelGapClosingImageFilter<TLabelImage>::CollectGapLengths(unsigned int axis, do
       {
         lengths.push_back(length);
       }
+      numberOfContacts += gap == 0 && cell != m_BackgroundLabel && cell != label ? 1 : 0;
       cell = label;
       gap = 0;
     }
@@ -319,6 +345,8 @@ LabelGapClosingImageFilter<TLabelImage>::PrintSelf(std::ostream & os, Indent ind
   os << indent << "UsedGapWidth: " << m_UsedGapWidth << std::endl;
   os << indent << "NumberOfChangedVoxels: " << m_NumberOfChangedVoxels << std::endl;
   os << indent << "LargestDistance: " << m_LargestDistance << std::endl;
+  os << indent << "ShareOfGapsLeft: " << m_ShareOfGapsLeft << std::endl;
+  os << indent << "WidthOfGapsLeft: " << m_WidthOfGapsLeft << std::endl;
 }
 } // namespace itk
 

@@ -46,7 +46,7 @@ public:
   const LabelImageType *
   GetInput() const;
 
-  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell: see itkExteriorLabelSettings.h. */
+  /** ExteriorLabel, AutomaticExteriorLabel, ZeroIsCell, DroppedLabels, DropSuspects: see itkExteriorLabelSettings.h. */
   itkExteriorLabelMacro();
 
 protected:

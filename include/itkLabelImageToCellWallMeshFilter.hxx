@@ -43,9 +43,10 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
   const auto progress = ProgressAccumulator::New();
   progress->SetMiniPipelineFilter(this);
 
+  this->EnterPhase("Finding junctions");
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(this->GetInput());
-  m_Exterior.ApplyTo(extraction.GetPointer());
+  extraction->SetExterior(m_Exterior);
   extraction->GenerateLabelVolumeOn();
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   progress->RegisterInternalFilter(extraction, 0.3f);
@@ -55,6 +56,14 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
   reconstruction->SetLabelVolume(extraction->GetLabelVolume());
   reconstruction->SetParameters(this->GetParameters());
   reconstruction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
+  // Before the progress is told to those who ask for the phase.
+  const auto takePhase = [this, mesher = reconstruction.GetPointer()](const EventObject &) {
+    if (mesher->GetPhase() != std::string(this->GetPhase()))
+    {
+      this->EnterPhase(mesher->GetPhase());
+    }
+  };
+  reconstruction->AddObserver(ProgressEvent(), takePhase);
   progress->RegisterInternalFilter(reconstruction, 0.7f);
 
   reconstruction->Update();

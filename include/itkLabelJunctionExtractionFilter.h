@@ -36,16 +36,17 @@ namespace itk
  * Cells that share a voxel face have a wall. A window of 2x2x2 voxels passes over the image and one voxel beyond on all
  * sides: each three of the labels it sees are a triple line, each four a junction (section 3.4 of the paper).
  *
- * Exterior: the outside of the image always; the exterior label, given or found by ExteriorLabelImageCalculator; and
- * label 0, unless it is asked to be a cell. Several such labels are one exterior, and so are its voids in the tissue.
+ * Exterior: the outside of the image always; the exterior labels, given or found by ExteriorLabelImageCalculator; label
+ * 0, unless it is asked to be a cell; and labels that are dropped. Several such labels are one exterior, and so are its
+ * voids in the tissue. Where suspects are dropped the image is read twice.
  *
  * The image is split along its last axis among the threads and streamed row by row, as runs of equal labels: time is
  * that of reading the voxels once and of the runs, memory that of two planes of runs a thread, of the output, and of
  * the blocks of four and more labels; the label volume takes 4 bytes a voxel. The outputs are the same for any number
  * of threads.
  *
- * Errors (ExceptionObject): an exterior label set that the image does not have, no cell, a label above
- * the range of 64 bits signed.
+ * Errors (ExceptionObject): an exterior label set, or a label to be dropped, that the image does not have; no cell; a
+ * label above the range of 64 bits signed.
  *
  * G. Cerutti, S. Ribes, C. Galvan-Ampudia, T. Vernoux, C. Godin: 3-D tessellation of plant tissue. A dual optimization
  * approach to cell-level meristem reconstruction from microscopy images. 3DV 2015.
@@ -96,8 +97,21 @@ public:
   itkGetConstMacro(GenerateLabelVolume, bool);
   itkBooleanMacro(GenerateLabelVolume);
 
-  /** ExteriorLabel, AutomaticExteriorLabel and ZeroIsCell: see itkExteriorLabelSettings.h. */
+  /** ExteriorLabel, AutomaticExteriorLabel, ZeroIsCell, DroppedLabels, DropSuspects: see itkExteriorLabelSettings.h. */
   itkExteriorLabelMacro();
+
+#ifndef ITK_WRAPPING_PARSER
+  /** All of these at once, for C++. */
+  void
+  SetExterior(const ExteriorLabelSettings & settings);
+
+  /** The labels that were dropped, those asked for and the suspects, ascending. Valid after the update. */
+  const std::vector<tissue::Label> &
+  GetUsedDroppedLabels() const
+  {
+    return m_UsedDroppedLabels;
+  }
+#endif
 
   /** The label of the output's exterior vertex: the one set or found; else 0, or, if 0 is a cell, a negative label that
    * no cell has. Valid after the update. */
@@ -145,9 +159,12 @@ private:
   void
   AddRun(LabelPixelType pixel, SizeValueType end, tissue::BlockScan & scan) const;
 
-  /** Throws if the exterior label is absent or there are too few cells. */
+  /** Throws if a label that was named is absent, or there is no cell. */
   void
   CheckCells(const ScanMap & scans, const tissue::JunctionSet & junctions) const;
+
+  tissue::JunctionSet
+  Extract(const tissue::ExteriorLabels & exterior);
 
   /** From continuous indices to the physical space of the image. */
   void
@@ -160,8 +177,9 @@ private:
   void
   NumberVoxels(const tissue::JunctionSet & junctions, std::vector<tissue::VertexId> & vertices) const;
 
-  ExteriorLabelSettings m_Exterior;
-  bool                  m_GenerateLabelVolume = false;
+  ExteriorLabelSettings      m_Exterior;
+  std::vector<tissue::Label> m_UsedDroppedLabels;
+  bool                       m_GenerateLabelVolume = false;
 };
 } // namespace itk
 

@@ -9,6 +9,7 @@
 
 #include "itkLabelJunctionExtractionFilter.h"
 
+#include "TissueTessellationCore/Adjacency/SuspectCells.h"
 #include "TissueTessellationCore/Image/BlockScan.h"
 #include "TissueTessellationCore/Image/GatherJunctions.h"
 #include "TissueTessellationCore/Image/LabelIndexer.h"
@@ -117,33 +118,69 @@ template <typename TLabelImage>
 tissue::ExteriorLabels
 LabelJunctionExtractionFilter<TLabelImage>::FindExteriorLabels() const
 {
-  tissue::ExteriorLabels exterior{ true, m_Exterior.label, m_Exterior.zeroIsCell };
+  tissue::ExteriorLabels exterior;
+  exterior.zeroIsCell = m_Exterior.zeroIsCell;
+  std::vector<tissue::Label> labels = m_Exterior.labels;
   if (m_Exterior.isAutomatic)
   {
     const auto calculator = ExteriorLabelImageCalculator<LabelImageType>::New();
     calculator->SetImage(this->GetInput());
     calculator->SetZeroIsCell(m_Exterior.zeroIsCell);
     calculator->Compute();
-    exterior.hasLabel = calculator->GetHasExteriorLabel();
-    exterior.label = calculator->GetExteriorLabel();
+    labels = calculator->GetExteriorLabels();
   }
+  if (!labels.empty())
+  {
+    exterior.hasLabel = true;
+    exterior.label = labels.front();
+    exterior.others.assign(labels.begin() + 1, labels.end());
+  }
+  exterior.others.insert(exterior.others.end(), m_Exterior.dropped.begin(), m_Exterior.dropped.end());
   return exterior;
+}
+
+template <typename TLabelImage>
+void
+LabelJunctionExtractionFilter<TLabelImage>::SetExterior(const ExteriorLabelSettings & settings)
+{
+  m_Exterior = settings;
+  this->Modified();
+}
+
+template <typename TLabelImage>
+tissue::JunctionSet
+LabelJunctionExtractionFilter<TLabelImage>::Extract(const tissue::ExteriorLabels & exterior)
+{
+  tissue::BlockScan::Index size;
+  const auto               imageSize = this->GetInput()->GetLargestPossibleRegion().GetSize();
+  std::copy_n(imageSize.begin(), 3, size.begin());
+  const ScanMap       scans = this->ScanImage(size, exterior);
+  tissue::JunctionSet junctions = this->Gather(scans, size, exterior);
+  this->CheckCells(scans, junctions);
+  return junctions;
 }
 
 template <typename TLabelImage>
 void
 LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
 {
-  const tissue::ExteriorLabels exterior = this->FindExteriorLabels();
-  tissue::BlockScan::Index     size;
-  const auto                   imageSize = this->GetInput()->GetLargestPossibleRegion().GetSize();
-  std::copy_n(imageSize.begin(), 3, size.begin());
-  auto junctions = [&]() {
-    const ScanMap scans = this->ScanImage(size, exterior);
-    auto          result = this->Gather(scans, size, exterior);
-    this->CheckCells(scans, result);
-    return result;
-  }();
+  tissue::ExteriorLabels exterior = this->FindExteriorLabels();
+  tissue::JunctionSet    junctions = this->Extract(exterior);
+  m_UsedDroppedLabels = m_Exterior.dropped;
+  if (m_Exterior.dropsSuspects)
+  {
+    const std::vector<tissue::SuspectCell> suspects = tissue::FindSuspectCells(junctions);
+    for (const tissue::SuspectCell & suspect : suspects)
+    {
+      exterior.others.push_back(junctions.cells[suspect.cell].label);
+      m_UsedDroppedLabels.push_back(exterior.others.back());
+    }
+    if (!suspects.empty())
+    {
+      junctions = this->Extract(exterior);
+    }
+  }
+  std::sort(m_UsedDroppedLabels.begin(), m_UsedDroppedLabels.end());
   if (m_GenerateLabelVolume)
   {
     this->GetLabelVolume()->SetLabelVolume(this->MakeLabelVolume(junctions));
@@ -269,13 +306,23 @@ void
 LabelJunctionExtractionFilter<TLabelImage>::CheckCells(const ScanMap &             scans,
                                                        const tissue::JunctionSet & junctions) const
 {
-  const auto hasLabel = [this](const typename ScanMap::value_type & scan) {
-    return scan.second->GetLabels().HasMet(m_Exterior.label);
+  const auto require = [&](tissue::Label label, const char * what) {
+    const auto hasLabel = [label](const typename ScanMap::value_type & scan) {
+      return scan.second->GetLabels().HasMet(label);
+    };
+    if (std::none_of(scans.cbegin(), scans.cend(), hasLabel))
+    {
+      itkExceptionMacro(<< what << label << " is not a label of the image, which has " << junctions.cells.size() - 1
+                        << " labels" << (m_Exterior.zeroIsCell ? "" : " other than 0"));
+    }
   };
-  if (!m_Exterior.isAutomatic && std::none_of(scans.cbegin(), scans.cend(), hasLabel))
+  for (const tissue::Label label : m_Exterior.isAutomatic ? std::vector<tissue::Label>() : m_Exterior.labels)
   {
-    itkExceptionMacro(<< "The exterior label " << m_Exterior.label << " is not a label of the image, which has "
-                      << junctions.cells.size() - 1 << " labels" << (m_Exterior.zeroIsCell ? "" : " other than 0"));
+    require(label, "The exterior label ");
+  }
+  for (const tissue::Label label : m_Exterior.dropped)
+  {
+    require(label, "The label to be dropped ");
   }
   if (junctions.cells.size() < 2)
   {

@@ -50,8 +50,7 @@ AddOptions(CLI::App & app, Options & options)
     ->check(EndsIn(".png"));
   AddDetectionOptions(app, options.detection);
   AddImageOptions(app, options.input);
-  app.add_option("--threads", options.run.threads, "Threads; 0 is all of the machine")->check(InRange(0, 1024));
-  app.add_flag("--quiet", options.run.isQuiet, "Print nothing but errors and warnings");
+  AddRunOptions(app, options.run);
 }
 
 /** Throws for everything that would make the outputs impossible, before the work. */
@@ -139,7 +138,7 @@ main(int argc, char * argv[])
     }
     RequireOutputs(options);
     UseThreads(options.run.threads);
-    ProgressBar progress(options.run.isQuiet);
+    ProgressBar progress(options.run.GetProgressStyle());
 
     progress.Begin("Reading");
     const ScalarImageFile file = ReadScalarImage(options.image, options.input);

@@ -23,7 +23,7 @@ main(int argc, char ** argv)
     }
     RequireOutputs(options->outputs, options->InputFiles());
     UseThreads(options->run.threads);
-    ProgressBar progress(options->run.isQuiet);
+    ProgressBar progress(options->run.GetProgressStyle());
 
     TissueInput               input = ReadPointTissue(*options, progress);
     const ReconstructedTissue tissue =
@@ -32,5 +32,6 @@ main(int argc, char ** argv)
     const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
     WriteOutputs(options->outputs, report, progress);
     Say(report, options->outputs, options->run.isQuiet);
+    RequireNoFaults(report, options->run.isStrict);
   });
 }

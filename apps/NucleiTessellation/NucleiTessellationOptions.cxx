@@ -160,6 +160,7 @@ ParseCommandLine(int argc, char ** argv)
   AddEvaluationOptions(app, options.evaluation);
   AddMethodOptions(app, options.method);
   AddRunOptions(app, options.run);
+  AddStrictOption(app, options.run);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;

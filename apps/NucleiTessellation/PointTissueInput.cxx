@@ -106,7 +106,7 @@ ReadCenters(const CenterOptions & centers, ProgressBar & progress)
   LabelImageOptions options;
   options.file = centers.centersOf;
   options.input = centers.image;
-  const TissueInput image = ExtractTissue(ReadLabelImage(options, progress), JunctionOptions(), progress);
+  const TissueInput image = ExtractCells(ReadLabelImage(options, progress), progress);
   LabelledPoints    result;
   result.exteriorLabel = image.extracted.exteriorLabel;
   result.image.unit = image.image.unit;

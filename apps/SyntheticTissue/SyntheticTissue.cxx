@@ -101,9 +101,8 @@ AddOptions(CLI::App & app, Options & options)
   app.add_option("--nucleiPoints", options.nucleiPoints, "Also write where the nuclei are: .csv, .fcsv or .vtp");
   app.add_option("--signalToNoise", options.signalToNoise, "Of the nuclei's image: signal of a nucleus over noise")
     ->check(CLI::Range(0.1, 100.0));
-  app.add_option("--threads", options.run.threads, "Threads; 0 is all of the machine")->check(CLI::Range(0, 1024));
   app.add_flag("--compress", options.compress, "Compress the image");
-  app.add_flag("--quiet", options.run.isQuiet, "Print nothing but errors");
+  tissue::AddRunOptions(app, options.run);
 }
 
 /** The format by the file's extension; what ITK would find out too late, or not tell. */
@@ -275,7 +274,7 @@ void
 Run(const Options & options)
 {
   using ImageType = itk::Image<TPixel, 3>;
-  tissue::ProgressBar               progress(options.run.isQuiet);
+  tissue::ProgressBar               progress(options.run.GetProgressStyle());
   const typename ImageType::Pointer tissue = MakeTissue<ImageType>(options, progress);
   const auto                        nuclei = StainNuclei<ImageType>(tissue, options, progress);
   WriteOutputs<ImageType>(tissue, nuclei, options, progress);

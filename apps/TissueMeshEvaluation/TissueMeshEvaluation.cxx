@@ -10,6 +10,7 @@
 #include "Shared/CommandLine/RunProgram.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
+#include "Shared/Reconstruction/ExteriorOptions.h"
 #include "Shared/Reconstruction/LabelImageInput.h"
 #include "TissueMeshEvaluation/WallMeshReader.h"
 #include "itkCellWallMeshEvaluationCalculator.h"
@@ -32,7 +33,7 @@ struct Options
 {
   LabelImageOptions image;
   std::string       mesh;
-  std::string       labelArray = "BoundaryLabels";
+  std::string       labelArray;
   std::string       report;
   RunOptions        run;
 };
@@ -48,17 +49,20 @@ AddOptions(CLI::App & app, Options & options)
 {
   app.option_defaults()->always_capture_default();
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
-  app.add_option("MESH", options.mesh, "Triangles with two labels each (.vtp, .vtk)")->required();
+  app.add_option("MESH", options.mesh, "Polygons with the labels of their cells (.vtp, .vtu, .vtk, .obj, ...)")
+    ->required();
   app.add_option("LABELS", options.image.file, "The label image")->required();
   app.add_option("--report", options.report, "Write all figures, by cell too, to this file (.json)");
-  app.add_option("--labelArray", options.labelArray, "Cell array of the mesh with the two labels of each triangle");
   app.add_option(
-    "--exteriorLabel", options.image.exteriorLabel, "Label of the exterior; found in the image by default");
-  app.add_flag("--zeroIsCell", options.image.zeroIsCell, "Take label 0 for a cell");
+    "--labelArray",
+    options.labelArray,
+    "Cell array of the mesh with the labels on both sides of its polygons, or of the cell that they are of, "
+    "or two arrays, label1,label2; by default it is looked for: BoundaryLabels, FaceLabels, label1 and "
+    "label2, Label, ...");
+  AddExteriorOptions(app, "", options.image.exterior);
+  AddSpeckOption(app, options.image.acceptsSpecks);
   AddImageOptions(app, options.image.input);
-  app.add_option("--threads", options.run.threads, "Threads; 0: all cores. The result does not depend on it")
-    ->check(CLI::Range(0, 1024));
-  app.add_flag("--quiet", options.run.isQuiet, "Say nothing but errors and warnings");
+  AddRunOptions(app, options.run);
 }
 
 /** Throws for everything that would make the report impossible, before the work. */
@@ -78,17 +82,23 @@ ExtractedJunctions
 FindJunctions(const LabelImage & image, const LabelImageOptions & options, ProgressBar & progress)
 {
   JunctionOptions junctionOptions;
-  junctionOptions.exteriorLabel = options.exteriorLabel;
-  junctionOptions.zeroIsCell = options.zeroIsCell;
+  junctionOptions.exterior = options.exterior;
   junctionOptions.makesVolume = true;
+  junctionOptions.acceptsSpecks = options.acceptsSpecks;
   return ExtractTissue(image, junctionOptions, progress).extracted;
 }
 
 std::shared_ptr<const TrianglesOfLabels>
-ReadMesh(const Options & options, ProgressBar & progress)
+ReadMesh(const Options & options, const JunctionSet & junctions, ProgressBar & progress)
 {
   progress.Begin("Reading the mesh");
-  return std::make_shared<const TrianglesOfLabels>(ReadWallMesh(options.mesh, options.labelArray));
+  WallMeshFile file = ReadWallMesh(options.mesh, options.labelArray, junctions.exteriorLabels);
+  progress.End();
+  for (const std::string & warning : file.warnings)
+  {
+    std::cerr << "TissueMeshEvaluation: warning: " << options.mesh << ": " << warning << '\n';
+  }
+  return std::make_shared<const TrianglesOfLabels>(std::move(file.mesh));
 }
 
 /** \param meshFile the triangles' file, for messages. */
@@ -262,7 +272,7 @@ main(int argc, char ** argv)
     }
     RequireOutput(options);
     UseThreads(options.run.threads);
-    ProgressBar progress(options.run.isQuiet);
+    ProgressBar progress(options.run.GetProgressStyle());
 
     const LabelImage image = ReadLabelImage(options.image, progress);
     for (const std::string & warning : image.warnings)
@@ -270,7 +280,7 @@ main(int argc, char ** argv)
       std::cerr << "TissueMeshEvaluation: warning: " << options.image.file << ": " << warning << '\n';
     }
     const auto       extracted = FindJunctions(image, options.image, progress);
-    const auto       triangles = ReadMesh(options, progress);
+    const auto       triangles = ReadMesh(options, extracted.junctions->GetJunctionSet(), progress);
     const Evaluation evaluation = Evaluate(extracted, triangles, options.mesh, progress);
     progress.End();
     WriteReport(evaluation, options.report);

@@ -6,138 +6,189 @@
  *=========================================================================*/
 #include "TissueMeshEvaluation/WallMeshReader.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
+#include "TissueMeshEvaluation/MeshFile.h"
+#include "TissueMeshEvaluation/SideLabels.h"
+#include "TissueMeshEvaluation/TriangleOrientation.h"
+
+#include <vtkCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
+#include <vtkPoints.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <map>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 namespace tissue
 {
 namespace
 {
-[[noreturn]] void
-Fail(const std::string & path, const std::string & what)
+constexpr Label Outside = -1;
+
+/** A polygon, or the face of a cell, as triangles. */
+struct Polygon
 {
-  throw std::runtime_error(path + ": " + what);
+  std::vector<std::array<PointId, 3>> triangles;
+  /** Its points, for comparison with those of others, ascending. */
+  std::vector<PointId> key;
+};
+
+/** The first point at the place of each. */
+std::vector<PointId>
+FindPlaces(const std::vector<Point> & points)
+{
+  std::map<Point, PointId> firstAt;
+  std::vector<PointId>     places;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const auto id = static_cast<PointId>(p);
+    const bool isFinite = std::all_of(points[p].begin(), points[p].end(), [](double x) { return std::isfinite(x); });
+    places.push_back(isFinite ? firstAt.emplace(points[p], id).first->second : id);
+  }
+  return places;
 }
 
-vtkSmartPointer<vtkPolyData>
-ReadPolyData(const std::string & path)
+Polygon
+TakePolygon(vtkCell * cell, const std::vector<PointId> & places)
 {
-  if (!std::ifstream(path))
+  Polygon polygon;
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
   {
-    Fail(path, "there is no such file, or it cannot be read");
+    polygon.key.push_back(places[static_cast<std::size_t>(cell->GetPointId(static_cast<int>(i)))]);
   }
-  // What is wrong is said in one line, below.
-  vtkObject::GlobalWarningDisplayOff();
-  const vtkNew<vtkXMLPolyDataReader> xml;
-  if (xml->CanReadFile(path.c_str()))
+  std::sort(polygon.key.begin(), polygon.key.end());
+  const vtkNew<vtkIdList> ids;
+  const vtkNew<vtkPoints> points;
+  cell->Triangulate(0, ids, points);
+  for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
   {
-    xml->SetFileName(path.c_str());
-    xml->Update();
-    if (xml->GetErrorCode() != 0)
+    polygon.triangles.push_back({ { static_cast<PointId>(ids->GetId(i)),
+                                    static_cast<PointId>(ids->GetId(i + 1)),
+                                    static_cast<PointId>(ids->GetId(i + 2)) } });
+  }
+  return polygon;
+}
+
+/** Collects the surfaces of cells: polygons with the label that is behind them. */
+class SurfacePolygons
+{
+public:
+  void
+  Add(Polygon polygon, Label label)
+  {
+    Sides & sides = m_SidesOf[polygon.key];
+    sides.labels.push_back(label);
+    if (sides.labels.size() == 1)
     {
-      Fail(path, "is damaged or cut off");
+      sides.triangles = std::move(polygon.triangles);
     }
-    return xml->GetOutput();
   }
-  const vtkNew<vtkPolyDataReader> legacy;
-  legacy->SetFileName(path.c_str());
-  if (!legacy->IsFilePolyData())
-  {
-    Fail(path, "is no VTK file of polygons (.vtp, or .vtk of POLYDATA)");
-  }
-  legacy->Update();
-  return legacy->GetOutput();
-}
 
-vtkDataArray *
-RequireLabelArray(vtkPolyData * data, const std::string & name, const std::string & path)
-{
-  const vtkIdType      numberOfTriangles = data->GetNumberOfPolys();
-  vtkDataArray * const array = data->GetCellData()->GetArray(name.c_str());
-  if (!array)
+  /** \throws std::runtime_error where there are several labels, but none has a wall with another one. */
+  void
+  AddTo(TrianglesOfLabels & mesh) const
   {
-    Fail(path, "has no numeric cell array " + name + " (--labelArray)");
+    std::set<Label> all;
+    std::size_t     numberOfWalls = 0;
+    for (const auto & [key, sides] : m_SidesOf)
+    {
+      all.insert(sides.labels.begin(), sides.labels.end());
+      const Label second = sides.labels.size() == 1 ? Outside : sides.labels[1];
+      numberOfWalls += sides.labels.size() > 1 && second != sides.labels[0] ? 1 : 0;
+      for (const auto & triangle : sides.triangles)
+      {
+        if (second != sides.labels[0])
+        {
+          mesh.triangles.push_back({ triangle, { { sides.labels[0], second } } });
+        }
+      }
+    }
+    if (all.size() > 1 && numberOfWalls == 0)
+    {
+      throw std::runtime_error("has surfaces of " + std::to_string(all.size()) +
+                               " labels that share no polygon: walls, which two cells have in common, are what is "
+                               "judged");
+    }
   }
-  if (array->GetNumberOfComponents() != 2)
-  {
-    Fail(path, "array " + name + " has " + std::to_string(array->GetNumberOfComponents()) + " components, must have 2");
-  }
-  if (array->GetNumberOfTuples() != numberOfTriangles)
-  {
-    Fail(path,
-         "array " + name + " has labels for " + std::to_string(array->GetNumberOfTuples()) + " of the " +
-           std::to_string(numberOfTriangles) + " triangles");
-  }
-  return array;
-}
 
-/** Refuses what is no label, and what is too large for VTK's numbers to tell from its neighbours. */
-Label
-ToLabel(double value, vtkIdType triangle, const std::string & path)
-{
-  constexpr double limit = 9007199254740992.0;
-  if (!(std::abs(value) < limit) || value != std::floor(value))
+private:
+  struct Sides
   {
-    std::ostringstream text;
-    text << "triangle " << triangle << " has label " << value << ", labels are whole numbers below " << limit;
-    Fail(path, text.str());
-  }
-  return static_cast<Label>(value);
-}
-} // namespace
+    std::vector<Label>                  labels;
+    std::vector<std::array<PointId, 3>> triangles;
+  };
 
-TrianglesOfLabels
-ReadWallMesh(const std::string & path, const std::string & labelArray)
+  std::map<std::vector<PointId>, Sides> m_SidesOf;
+};
+
+WallMeshFile
+TakeMesh(vtkDataSet * data, const SideLabels & labels, const std::set<Label> & exterior)
 {
-  const vtkSmartPointer<vtkPolyData> data = ReadPolyData(path);
-  const vtkIdType                    numberOfTriangles = data->GetNumberOfPolys();
-  if (numberOfTriangles == 0 || numberOfTriangles != data->GetNumberOfCells())
-  {
-    Fail(path,
-         "has " + std::to_string(numberOfTriangles) + " polygons among " + std::to_string(data->GetNumberOfCells()) +
-           " cells, must have nothing but triangles");
-  }
-  vtkDataArray * const labels = RequireLabelArray(data, labelArray, path);
-  TrianglesOfLabels    mesh;
+  WallMeshFile        file;
+  TrianglesOfLabels & mesh = file.mesh;
   mesh.points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
     data->GetPoint(static_cast<vtkIdType>(p), mesh.points[p].data());
   }
-  const vtkNew<vtkIdList> polygon;
-  for (vtkIdType t = 0; t < numberOfTriangles; ++t)
+  const std::vector<PointId> places = FindPlaces(mesh.points);
+  SurfacePolygons            surfaces;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
   {
-    data->GetPolys()->GetCellAtId(t, polygon);
-    if (polygon->GetNumberOfIds() != 3)
+    vtkCell * const cell = data->GetCell(c);
+    const auto &    sides = labels.labels[static_cast<std::size_t>(c)];
+    const int       dimension = cell->GetCellDimension();
+    if (dimension == 2 && labels.areOfBothSides)
     {
-      Fail(path,
-           "polygon " + std::to_string(t) + " has " + std::to_string(polygon->GetNumberOfIds()) +
-             " corners, must have 3");
+      for (const auto & triangle : TakePolygon(cell, places).triangles)
+      {
+        mesh.triangles.push_back({ triangle, sides });
+      }
     }
-    TrianglesOfLabels::Triangle triangle;
-    for (int i = 0; i < 3; ++i)
+    else if (dimension == 2)
     {
-      triangle.points[i] = static_cast<PointId>(polygon->GetId(i));
+      surfaces.Add(TakePolygon(cell, places), sides[0]);
     }
-    for (int side = 0; side < 2; ++side)
+    else if (dimension == 3 && !labels.areOfBothSides)
     {
-      triangle.labels[side] = ToLabel(labels->GetComponent(t, side), t, path);
+      for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+      {
+        surfaces.Add(TakePolygon(cell->GetFace(f), places), sides[0]);
+      }
     }
-    mesh.triangles.push_back(triangle);
   }
-  return mesh;
+  surfaces.AddTo(mesh);
+  file.warnings = OrientByLabels(mesh, places, exterior);
+  return file;
+}
+} // namespace
+
+WallMeshFile
+ReadWallMesh(const std::string & path, const std::string & labelArray, const std::vector<Label> & exteriorLabels)
+{
+  const vtkSmartPointer<vtkDataSet> data = ReadMeshFile(path);
+  if (data->GetNumberOfCells() == 0)
+  {
+    throw std::runtime_error(path + ": has no polygon");
+  }
+  const SideLabels labels = FindSideLabels(data, labelArray, path);
+  std::set<Label>  exterior(exteriorLabels.begin(), exteriorLabels.end());
+  exterior.insert(Outside);
+  try
+  {
+    WallMeshFile file = TakeMesh(data, labels, exterior);
+    if (file.mesh.triangles.empty())
+    {
+      throw std::runtime_error("has no polygon between two labels");
+    }
+    return file;
+  }
+  catch (const std::runtime_error & error)
+  {
+    throw std::runtime_error(path + ": " + error.what() + " (labels of the array " + labels.name + ')');
+  }
 }
 } // namespace tissue

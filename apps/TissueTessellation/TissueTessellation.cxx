@@ -18,7 +18,7 @@ ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
 {
   const ReconstructionParameters & parameters = options.method.parameters;
   const bool                       needsVolume = parameters.fitToImage || parameters.source == ComplexSource::Image;
-  const JunctionOptions junctionOptions{ options.image.exteriorLabel, options.image.zeroIsCell, needsVolume };
+  const JunctionOptions            junctionOptions{ options.image.exterior, needsVolume, options.image.acceptsSpecks };
   return options.membrane.file.empty()
            ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)
            : ReadMembranes(options.membrane, junctionOptions, progress);
@@ -37,7 +37,7 @@ main(int argc, char ** argv)
     }
     RequireOutputs(options->outputs, options->InputFiles());
     UseThreads(options->run.threads);
-    ProgressBar progress(options->run.isQuiet);
+    ProgressBar progress(options->run.GetProgressStyle());
 
     TissueInput               input = ReadInput(*options, progress);
     const ReconstructedTissue tissue =
@@ -46,5 +46,6 @@ main(int argc, char ** argv)
     const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
     WriteOutputs(options->outputs, report, progress);
     Say(report, options->outputs, options->run.isQuiet);
+    RequireNoFaults(report, options->run.isStrict);
   });
 }

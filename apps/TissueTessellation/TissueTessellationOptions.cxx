@@ -7,6 +7,7 @@
 #include "TissueTessellation/TissueTessellationOptions.h"
 
 #include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/Reconstruction/ExteriorOptions.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,10 +19,9 @@ void
 AddImageOptions(CLI::App & app, LabelImageOptions & options)
 {
   const std::string group = "Image";
-  app.add_option("--exteriorLabel", options.exteriorLabel, "Label of the exterior; found in the image by default")
-    ->group(group);
-  app.add_flag("--zeroIsCell", options.zeroIsCell, "Take label 0 for a cell")->group(group);
+  AddExteriorOptions(app, group, options.exterior);
   AddImageOptions(app, options.input);
+  AddSpeckOption(app, options.acceptsSpecks)->group(group);
   // A flag with a value, so that the width can be left out: 0 stands for the automatic one.
   app
     .add_flag(
@@ -85,6 +85,7 @@ ParseCommandLine(int argc, char ** argv)
   AddEvaluationOptions(app, options.evaluation);
   AddMethodOptions(app, options.method);
   AddRunOptions(app, options.run);
+  AddStrictOption(app, options.run);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;
@@ -104,10 +105,10 @@ ToJson(const TissueTessellationOptions & options)
   const LabelImageOptions & image = options.image;
   nlohmann::ordered_json    json;
   json["preset"] = options.method.preset;
-  json["exteriorLabel"] = image.exteriorLabel ? nlohmann::ordered_json(*image.exteriorLabel) : "automatic";
-  json["zeroIsCell"] = image.zeroIsCell;
+  AddToJson(image.exterior, json);
   AddToJson(image.input, json);
   json["closeGaps"] = image.closeGaps ? nlohmann::ordered_json(*image.closeGaps) : "off";
+  json["acceptSpecks"] = image.acceptsSpecks;
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);

@@ -119,6 +119,13 @@ CellWallMeshSource::GetSmoothingIterations() const
   return m_Parameters->smoothingIterations;
 }
 
+void
+CellWallMeshSource::EnterPhase(const std::string & phase)
+{
+  m_Phase = phase;
+  this->UpdateProgress(this->GetProgress());
+}
+
 CellWallMesh *
 CellWallMeshSource::GetOutput()
 {
@@ -141,6 +148,7 @@ void
 CellWallMeshSource::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "Phase: " << m_Phase << std::endl;
   for (const tissue::Parameter & parameter : tissue::GetParameterTable())
   {
     // As the names of ITK's own members are printed, with a capital.

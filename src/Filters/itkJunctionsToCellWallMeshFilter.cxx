@@ -37,9 +37,11 @@ JunctionsToCellWallMeshFilter::GenerateData()
   const bool   needsVolume = parameters.fitToImage || parameters.source == tissue::ComplexSource::Image;
   const TissueLabelVolume * const   labels = needsVolume ? this->GetLabelVolume() : nullptr;
   const tissue::LabelVolume * const volume = labels != nullptr ? &labels->GetLabelVolume() : nullptr;
+  const tissue::Execution           execution =
+    MakeExecution(this, 0.0f, 1.0f, [this](const char * phase) { this->EnterPhase(phase); });
   const auto junctions = std::make_shared<const tissue::JunctionSet>(this->GetInput()->GetJunctionSet());
-  const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(RunCore(
-    this, [&] { return tissue::ReconstructTissue(*junctions, this->GetParameters(), volume, MakeExecution(this)); }));
+  const auto reconstruction = std::make_shared<const tissue::TissueReconstruction>(
+    RunCore(this, [&] { return tissue::ReconstructTissue(*junctions, this->GetParameters(), volume, execution); }));
   this->GetOutput()->SetReconstruction(junctions, reconstruction);
 }
 } // namespace itk

@@ -9,6 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace
 {
 using namespace tissue_test;
@@ -20,6 +24,26 @@ long
 CubeLabel(long x, long y, long z, long first)
 {
   return first + x / 4 + 4 * (y / 4) + 16 * (z / 4);
+}
+
+/** 64 cubes of 4 voxels each, labels from 10 on, in a margin of 8 voxels of the label that `marginOf` gives a voxel. */
+template <typename TMargin>
+ImageType::Pointer
+CubesInMargin(const TMargin & marginOf)
+{
+  return MakeImage<short>({ { 32, 32, 32 } }, [&](long x, long y, long z) {
+    const bool isIn = std::min({ x, y, z }) >= 8 && std::max({ x, y, z }) < 24;
+    return isIn ? CubeLabel(x - 8, y - 8, z - 8, 10) : static_cast<long>(marginOf(x, y, z));
+  });
+}
+
+std::vector<tissue::Label>
+GuessAll(const ImageType * image)
+{
+  const auto calculator = itk::ExteriorLabelImageCalculator<ImageType>::New();
+  calculator->SetImage(image);
+  calculator->Compute();
+  return calculator->GetExteriorLabels();
 }
 
 struct Result
@@ -80,6 +104,85 @@ TEST(ExteriorLabelImageCalculator, SeesTheExteriorThroughAPaddingOfZero)
 TEST(ExteriorLabelImageCalculator, NeverTakesZeroWhereItIsACell)
 {
   EXPECT_FALSE(Guess(MakeFourCubes<short>(0), true).has);
+}
+
+TEST(ExteriorLabelImageCalculator, FindsTheLabelOfMostOfTheBorderBesideAPocketOfBackground)
+{
+  // The pocket is seen by more than a fourth as many lines as the rest.
+  const auto image = CubesInMargin([](long x, long y, long z) { return x + y + z < 32 ? 900 : 1; });
+  EXPECT_EQ(GuessAll(image), std::vector<tissue::Label>{ 1 });
+}
+
+TEST(ExteriorLabelImageCalculator, FindsAllPartsOfABackgroundInParts)
+{
+  const auto image = CubesInMargin([](long, long, long z) { return z < 15 ? 500 : 501; });
+  EXPECT_EQ(GuessAll(image), (std::vector<tissue::Label>{ 501, 500 }));
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells.size(), 65u);
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().exteriorLabels, (std::vector<tissue::Label>{ 0, 500, 501 }));
+}
+
+TEST(ExteriorLabelImageCalculator, TakesNoCellThatTheBorderCutsForTheExterior)
+{
+  // A large cell fills most of one side of a crop from within a tissue, and is as thin as its neighbours.
+  const auto image = MakeImage<short>({ { 32, 32, 32 } }, [](long x, long y, long z) {
+    const bool isLarge = z < 2 && std::min(x, y) >= 2 && std::max(x, y) < 30;
+    return isLarge ? 5 : 10 + x / 8 + 4 * (y / 8) + 16 * (z / 8);
+  });
+  EXPECT_TRUE(GuessAll(image).empty());
+}
+
+TEST(ExteriorLabelImageCalculator, TakesNoCellAroundAnotherOneForTheExterior)
+{
+  const auto ballsOf = [](double outer, double inner) {
+    return MakeImage<short>({ { 32, 32, 32 } }, [=](long x, long y, long z) {
+      const double radius = std::hypot(x - 15.5, y - 15.5, z - 15.5);
+      return radius < inner ? 2 : radius < outer ? 1 : 0;
+    });
+  };
+  EXPECT_TRUE(GuessAll(ballsOf(12.0, 0.0)).empty());
+  EXPECT_TRUE(GuessAll(ballsOf(12.0, 5.0)).empty());
+}
+
+TEST(LabelJunctionExtractionExterior, MayBeOfSeveralLabels)
+{
+  const auto image = CubesInMargin([](long x, long y, long z) { return x + y + z < 32 ? 900 : 1; });
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells.size(), 66u);
+  filter->SetExteriorLabel(1);
+  filter->AddExteriorLabel(900);
+  filter->AddExteriorLabel(900);
+  filter->Update();
+  EXPECT_EQ(filter->GetUsedExteriorLabel(), 1);
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells.size(), 65u);
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells[0].numberOfPieces, 1);
+  filter->AddExteriorLabel(901);
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+}
+
+TEST(LabelJunctionExtractionExterior, TakesDroppedLabelsAndSuspects)
+{
+  const auto image = CubesInMargin([](long x, long y, long z) { return x + y + z < 32 ? 900 : 1; });
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->AddDroppedLabel(10);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells.size(), 65u);
+  EXPECT_EQ(filter->GetUsedDroppedLabels(), std::vector<tissue::Label>{ 10 });
+  EXPECT_EQ(filter->GetUsedExteriorLabel(), 1);
+  filter->DropSuspectsOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().cells.size(), 64u);
+  EXPECT_EQ(filter->GetUsedDroppedLabels(), (std::vector<tissue::Label>{ 10, 900 }));
+  filter->ClearDroppedLabels();
+  filter->Update();
+  EXPECT_EQ(filter->GetUsedDroppedLabels(), std::vector<tissue::Label>{ 900 });
+  filter->AddDroppedLabel(7);
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
 }
 
 TEST(LabelJunctionExtractionExterior, ZeroJoinsTheExteriorUnlessItIsACell)

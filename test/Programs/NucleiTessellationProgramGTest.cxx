@@ -352,3 +352,25 @@ TEST_F(NucleiTessellationApp, OtherFilesAndOptionsThatAreRefused)
   std::filesystem::copy_file(this->PathOf("tissue.mha"), this->PathOf("judge.vtp"));
   this->ExpectRefusal("points.csv judge.vtp --evaluateAgainst judge.vtp", { "'judge.vtp': it is the input" });
 }
+
+TEST_F(NucleiTessellationApp, TakesCentresOfLabelsThatTouchNobody)
+{
+  // A marker of 3 x 3 x 1 voxels at each centre.
+  const auto nuclei = ImageType::New();
+  nuclei->CopyInformation(m_Tissue);
+  nuclei->SetRegions(m_Tissue->GetLargestPossibleRegion());
+  nuclei->Allocate(true);
+  for (const auto & [label, p] : m_Points)
+  {
+    const auto center = nuclei->TransformPhysicalPointToIndex(itk::Point<double, 3>(p.data()));
+    for (int i = 0; i < 9; ++i)
+    {
+      nuclei->SetPixel({ { center[0] - 1 + i % 3, center[1] - 1 + i / 3, center[2] } },
+                       static_cast<unsigned char>(label));
+    }
+  }
+  this->WriteImage(nuclei.GetPointer(), "nuclei.mha");
+  const auto report = this->RunAndReport("--centersOf nuclei.mha walls.vtp --refinement 0");
+  EXPECT_EQ(report["input"]["points"], m_Points.size());
+  EXPECT_EQ(report["input"]["cells"], m_Points.size());
+}

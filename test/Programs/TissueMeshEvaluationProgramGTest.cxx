@@ -4,74 +4,18 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationProgramTest.h"
+#include "TissueMeshEvaluationProgramTest.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
-
-namespace
-{
-class TissueMeshEvaluationApp : public TissueTessellationAppTest
-{
-protected:
-  void
-  SetUp() override
-  {
-    TissueTessellationAppTest::SetUp();
-    this->WriteTissue<unsigned short>("tissue.mha");
-  }
-
-  int
-  Evaluate(const std::string & arguments)
-  {
-    // After the main program, that does nothing: Run() is of one command.
-    return this->Run("--version > nothing.txt; " + std::string(TISSUE_MESH_EVALUATION_PROGRAM) + " " + arguments);
-  }
-
-  /** Writes a mesh of the tissue, and reads it. */
-  vtkSmartPointer<vtkPolyData>
-  MakeMesh()
-  {
-    EXPECT_EQ(this->Run("tissue.mha walls.vtp --report report.json"), 0) << m_Errors;
-    const vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(this->PathOf("walls.vtp").c_str());
-    reader->Update();
-    return reader->GetOutput();
-  }
-
-  void
-  WriteMesh(vtkPolyData * mesh, const std::string & name)
-  {
-    const vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetInputData(mesh);
-    writer->SetFileName(this->PathOf(name).c_str());
-    ASSERT_EQ(writer->Write(), 1);
-  }
-
-  void
-  ExpectRefusal(const std::string & arguments, const std::vector<std::string> & parts)
-  {
-    EXPECT_EQ(this->Evaluate(arguments), 1) << arguments;
-    EXPECT_EQ(m_Errors.find("TissueMeshEvaluation: "), 0u) << m_Errors;
-    EXPECT_EQ(m_Errors.find('\n'), m_Errors.size() - 1) << m_Errors;
-    for (const std::string & part : parts)
-    {
-      EXPECT_NE(m_Errors.find(part), std::string::npos) << "'" << part << "' is not in " << m_Errors;
-    }
-  }
-};
-} // namespace
+#include <fstream>
 
 TEST_F(TissueMeshEvaluationApp, AgreesWithTheProgramThatMadeTheMesh)
 {
@@ -120,10 +64,12 @@ TEST_F(TissueMeshEvaluationApp, RefusesMeshesThatItCannotJudge)
 {
   const auto mesh = this->MakeMesh();
   this->ExpectRefusal("absent.vtp tissue.mha", { "absent.vtp", "no such file" });
-  this->ExpectRefusal("tissue.mha tissue.mha", { "tissue.mha", "no VTK file" });
+  this->ExpectRefusal("tissue.mha tissue.mha", { "tissue.mha", "no mesh in a format that is read", ".vtu" });
   this->ExpectRefusal("walls.vtp absent.mha", { "absent.mha" });
   this->ExpectRefusal("walls.vtp tissue.mha --labelArray Cells", { "walls.vtp", "Cells" });
-  this->ExpectRefusal("walls.vtp tissue.mha --labelArray Label", { "walls.vtp", "1 components", "2" });
+  this->ExpectRefusal("walls.vtp tissue.mha --labelArray Label", { "walls.vtp", "share no polygon", "array Label" });
+  this->ExpectRefusal("walls.vtp tissue.mha --labelArray Label,Wall", { "walls.vtp", "array Wall", "WallId of 1" });
+  this->ExpectRefusal("walls.vtp tissue.mha --labelArray Label,BoundaryLabels", { "2 components, must have 1" });
   this->ExpectRefusal("walls.vtp tissue.mha --report folder/absent.json", { "folder/absent.json" });
   this->ExpectRefusal("walls.vtp tissue.mha --refinement 2", { "--refinement" });
 
@@ -144,7 +90,7 @@ TEST_F(TissueMeshEvaluationApp, RefusesMeshesThatItCannotJudge)
   {
     numbers->SetComponent(3, 1, wrong);
     this->WriteMesh(fractional, "fractional.vtp");
-    this->ExpectRefusal("fractional.vtp tissue.mha", { "fractional.vtp", "triangle 3", "whole numbers" });
+    this->ExpectRefusal("fractional.vtp tissue.mha", { "fractional.vtp", "polygon 3", "whole numbers" });
   }
   numbers->SetComponent(3, 1, -2.0);
   this->WriteMesh(fractional, "fractional.vtp");
@@ -158,7 +104,7 @@ TEST_F(TissueMeshEvaluationApp, RefusesMeshesThatItCannotJudge)
 
   const vtkNew<vtkPolyData> empty;
   this->WriteMesh(empty, "empty.vtp");
-  this->ExpectRefusal("empty.vtp tissue.mha", { "empty.vtp", "triangles" });
+  this->ExpectRefusal("empty.vtp tissue.mha", { "empty.vtp", "no polygon" });
 }
 
 TEST_F(TissueMeshEvaluationApp, RefusesAReportThatWouldReplaceAnInput)
@@ -181,7 +127,7 @@ TEST_F(TissueMeshEvaluationApp, RefusesLabelsForFewerTriangles)
                                               "POINTS 4 double\n0 0 0 1 0 0 0 1 0 1 1 0\n"
                                               "POLYGONS 2 8\n3 0 1 2\n3 1 3 2\n"
                                               "CELL_DATA 2\nFIELD arrays 1\nBoundaryLabels 2 1 int\n1 0\n";
-  this->ExpectRefusal("short.vtk tissue.mha", { "short.vtk", "BoundaryLabels", "1 of the 2 triangles" });
+  this->ExpectRefusal("short.vtk tissue.mha", { "short.vtk", "BoundaryLabels", "1 of the 2 polygons" });
 }
 
 TEST_F(TissueMeshEvaluationApp, NoClosedCellIsNoVolumeError)

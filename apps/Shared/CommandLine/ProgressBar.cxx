@@ -12,54 +12,123 @@
 
 namespace tissue
 {
-ProgressBar::ProgressBar(bool isQuiet)
-  : m_IsActive(!isQuiet && isatty(fileno(stderr)) != 0)
-{}
+ProgressStyle
+ChooseProgressStyle(const std::string & name)
+{
+  const bool isTerminal = isatty(fileno(stderr)) != 0;
+  return name == "lines"                                   ? ProgressStyle::Lines
+         : name == "bar" || (name == "auto" && isTerminal) ? ProgressStyle::Bar
+                                                           : ProgressStyle::None;
+}
+
+ProgressBar::ProgressBar(ProgressStyle style)
+  : m_Style(style)
+{
+  if (m_Style != ProgressStyle::None)
+  {
+    m_Ticker = std::thread([this] { this->Tick(); });
+  }
+}
 
 ProgressBar::~ProgressBar()
 {
   this->End();
+  if (m_Ticker.joinable())
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      m_IsStopping = true;
+    }
+    m_Stopping.notify_one();
+    m_Ticker.join();
+  }
 }
 
 void
 ProgressBar::Begin(const std::string & phase)
 {
+  const std::lock_guard<std::mutex> lock(m_Mutex);
   m_Phase = phase;
-  m_Percent = -1;
-  this->Show(0.0);
+  m_Percent = 0;
+  this->Show();
 }
 
 void
-ProgressBar::Observe(itk::ProcessObject * filter)
+ProgressBar::Observe(itk::ProcessObject * filter, std::function<std::string()> phaseOfFilter)
 {
-  if (m_IsActive)
-  {
-    filter->AddObserver(itk::ProgressEvent(),
-                        [this, filter](const itk::EventObject &) { this->Show(filter->GetProgress()); });
-  }
-}
-
-void
-ProgressBar::Show(double fraction)
-{
-  constexpr int width = 40;
-  const int     percent = static_cast<int>(100.0 * fraction + 0.5);
-  if (!m_IsActive || percent == m_Percent)
+  if (m_Style == ProgressStyle::None)
   {
     return;
   }
-  m_Percent = percent;
-  const std::string done(static_cast<std::size_t>(width * percent / 100), '#');
-  std::fprintf(stderr, "\r\033[K%-22s [%-*s] %3d %%", m_Phase.c_str(), width, done.c_str(), percent);
-  std::fflush(stderr);
+  filter->AddObserver(itk::ProgressEvent(),
+                      [this, filter, phaseOf = std::move(phaseOfFilter)](const itk::EventObject &) {
+                        const std::string                 phase = phaseOf ? phaseOf() : std::string();
+                        const std::lock_guard<std::mutex> lock(m_Mutex);
+                        const bool                        isNew = !phase.empty() && phase != m_Phase;
+                        m_Phase = isNew ? phase : m_Phase;
+                        m_Percent = static_cast<int>(100.0 * static_cast<double>(filter->GetProgress()) + 0.5);
+                        // The ticker shows the percents as lines.
+                        if (isNew || m_Style == ProgressStyle::Bar)
+                        {
+                          this->Show();
+                        }
+                      });
 }
 
 void
 ProgressBar::End()
 {
-  if (m_IsActive)
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  m_Phase.clear();
+  m_Shown.clear();
+  if (m_Style == ProgressStyle::Bar)
   {
     std::fprintf(stderr, "\r\033[K");
+    std::fflush(stderr);
+  }
+}
+
+void
+ProgressBar::Tick()
+{
+  std::unique_lock<std::mutex> lock(m_Mutex);
+  while (!m_Stopping.wait_for(lock, std::chrono::seconds(1), [this] { return m_IsStopping; }))
+  {
+    this->Show();
+  }
+}
+
+void
+ProgressBar::Show()
+{
+  if (m_Style == ProgressStyle::None || m_Phase.empty())
+  {
+    return;
+  }
+  constexpr int     width = 40;
+  const auto        seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - m_Start).count();
+  const std::string done(static_cast<std::size_t>(width * m_Percent / 100), '#');
+  char              text[200];
+  if (m_Style == ProgressStyle::Bar)
+  {
+    std::snprintf(text,
+                  sizeof(text),
+                  "\r\033[K%-28.60s [%-*s] %3d %% %4lld s",
+                  m_Phase.c_str(),
+                  width,
+                  done.c_str(),
+                  m_Percent,
+                  static_cast<long long>(seconds));
+  }
+  else
+  {
+    std::snprintf(
+      text, sizeof(text), "%lld s: %.60s, %d %%\n", static_cast<long long>(seconds), m_Phase.c_str(), m_Percent);
+  }
+  if (m_Shown != text)
+  {
+    m_Shown = text;
+    std::fputs(text, stderr);
     std::fflush(stderr);
   }
 }

@@ -18,6 +18,22 @@ AddRunOptions(CLI::App & app, RunOptions & options)
   app.add_option("--threads", options.threads, "Threads; 0: all cores. The result does not depend on it")
     ->check(InRange(0, 1024));
   app.add_flag("--quiet", options.isQuiet, "Say nothing but warnings and errors");
+  app
+    .add_option("--progress",
+                options.progress,
+                "On standard error: bar, lines (one a second at most), none; auto: a bar on a terminal")
+    ->check(CLI::IsMember({ "auto", "bar", "lines", "none" }))
+    ->type_name("{auto,bar,lines,none}")
+    ->capture_default_str();
+}
+
+void
+AddStrictOption(CLI::App & app, RunOptions & options)
+{
+  app.add_flag("--strict",
+               options.isStrict,
+               "Exit with 2 where the mesh has faults: triangles that cross, cells that are no closed spheres, volumes "
+               "more than 5 % off; files are written all the same");
 }
 
 void

@@ -39,6 +39,12 @@ RunProgram(const std::string & name, const std::function<void()> & work)
   {
     work();
   }
+  catch (const StrictError & error)
+  {
+    constexpr int exitCode = 2;
+    std::cerr << name << ": " << error.what() << std::endl;
+    return exitCode;
+  }
   catch (const std::exception & error)
   {
     std::cerr << name << ": " << ToMessage(error) << std::endl;

@@ -27,6 +27,13 @@ public:
   {}
 };
 
+/** A result that is written, but not as it should be. */
+class StrictError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /** What `work` returns; its errors become those of the file, unless they name one already. */
 template <typename TWork>
 auto
@@ -47,7 +54,7 @@ WithFileName(const std::string & path, const TWork & work) -> decltype(work())
 }
 
 /** Does the work of a program. An error is said in one line on standard error, after the program's name. Returns the
- * exit code: 0, or 1 after an error. */
+ * exit code: 0, 1 after an error, or 2 after a StrictError. */
 int
 RunProgram(const std::string & name, const std::function<void()> & work);
 } // namespace tissue

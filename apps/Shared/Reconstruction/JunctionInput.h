@@ -19,11 +19,11 @@ namespace tissue
 /** How a label image is understood, and what is extracted from it. */
 struct JunctionOptions
 {
-  /** Nothing: it is found in the image. */
-  std::optional<Label> exteriorLabel;
-  bool                 zeroIsCell = false;
+  itk::ExteriorLabelSettings exterior;
   /** Whether the labels are wanted too, for walls that are fitted to them. */
   bool makesVolume = false;
+  /** Whether an image whose labels are specks is taken for a label image all the same. */
+  bool acceptsSpecks = false;
 };
 
 /** The junctions of a label image. \throws itk::ExceptionObject as itk::LabelJunctionExtractionFilter. */
@@ -34,17 +34,14 @@ ExtractJunctions(const TImage * image, const JunctionOptions & options, Progress
   Stopwatch  timer;
   const auto extraction = itk::LabelJunctionExtractionFilter<TImage>::New();
   extraction->SetInput(image);
-  if (options.exteriorLabel)
-  {
-    extraction->SetExteriorLabel(*options.exteriorLabel);
-  }
-  extraction->SetZeroIsCell(options.zeroIsCell);
+  extraction->SetExterior(options.exterior);
   extraction->SetGenerateLabelVolume(options.makesVolume);
   progress.Begin("Finding junctions");
   progress.Observe(extraction);
   extraction->Update();
   ExtractedJunctions extracted;
   extracted.exteriorLabel = extraction->GetUsedExteriorLabel();
+  extracted.droppedLabels = extraction->GetUsedDroppedLabels();
   extracted.junctions = extraction->GetOutput();
   extracted.junctions->DisconnectPipeline();
   if (options.makesVolume)
@@ -65,7 +62,8 @@ ExtractTissueJunctions(const TImage * image, JunctionOptions options, ProgressBa
   const auto * const end = begin + image->GetBufferedRegion().GetNumberOfPixels();
   if (std::find(begin, end, 0) != end)
   {
-    options.exteriorLabel = 0;
+    options.exterior.labels = { 0 };
+    options.exterior.isAutomatic = false;
   }
   return ExtractJunctions(image, options, progress);
 }

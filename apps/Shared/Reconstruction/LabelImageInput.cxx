@@ -11,6 +11,7 @@
 #include "Shared/Images/ImageInput.h"
 #include "Shared/Images/StandardErrorCapture.h"
 #include "Shared/Images/WholeNumbers.h"
+#include "Shared/Reconstruction/LabelSpecks.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
 #include "itkExteriorLabelImageCalculator.h"
 #include "itkLabelGapClosingImageFilter.h"
@@ -72,46 +73,49 @@ ReadLabels(itk::ImageIOBase * io, const ImageOptions & options)
   return ReadImage<itk::Image<TPixel, 3>>(io, options);
 }
 
-/** The exterior's label, given or found in the image; nothing where the image has none. */
+/** The exterior's labels, given or found in the image, 0 last unless it is a cell. */
 template <typename TImage>
-std::optional<Label>
-FindExteriorLabel(const TImage * image, const LabelImageOptions & options)
+std::vector<Label>
+FindExteriorLabels(const TImage * image, const itk::ExteriorLabelSettings & settings)
 {
-  if (options.exteriorLabel)
+  std::vector<Label> labels = settings.labels;
+  if (settings.isAutomatic)
   {
-    return options.exteriorLabel;
+    const auto calculator = itk::ExteriorLabelImageCalculator<TImage>::New();
+    calculator->SetImage(image);
+    calculator->SetZeroIsCell(settings.zeroIsCell);
+    calculator->Compute();
+    labels = calculator->GetExteriorLabels();
   }
-  const auto calculator = itk::ExteriorLabelImageCalculator<TImage>::New();
-  calculator->SetImage(image);
-  calculator->SetZeroIsCell(options.zeroIsCell);
-  calculator->Compute();
-  const bool isZero = !calculator->GetHasExteriorLabel() && !options.zeroIsCell;
-  return calculator->GetHasExteriorLabel() || isZero ? std::optional<Label>(calculator->GetExteriorLabel())
-                                                     : std::nullopt;
+  if (!settings.zeroIsCell)
+  {
+    itk::ExteriorLabelSettings::Add(0, labels);
+  }
+  return labels;
 }
 
-/** Makes one label of all that is background: the exterior's, and 0 unless it is a cell. Returns it. */
+/** Makes one label of all that is background, the first of the exterior's. Returns it. */
 template <typename TImage>
 typename TImage::PixelType
-UniteBackground(TImage * image, const LabelImageOptions & options)
+UniteBackground(TImage * image, const itk::ExteriorLabelSettings & settings)
 {
   using PixelType = typename TImage::PixelType;
-  PixelType * const          begin = image->GetBufferPointer();
-  PixelType * const          end = begin + image->GetBufferedRegion().GetNumberOfPixels();
-  const std::optional<Label> label = FindExteriorLabel(image, options);
-  const auto                 isLabel = [&](PixelType pixel) { return static_cast<Label>(pixel) == *label; };
-  if (!label || std::none_of(begin, end, isLabel))
+  PixelType * const        begin = image->GetBufferPointer();
+  PixelType * const        end = begin + image->GetBufferedRegion().GetNumberOfPixels();
+  const std::vector<Label> labels = FindExteriorLabels(image, settings);
+  const auto               isFirst = [&](PixelType pixel) { return static_cast<Label>(pixel) == labels.front(); };
+  if (labels.empty() || std::none_of(begin, end, isFirst))
   {
     throw std::runtime_error("there is no background to close gaps in: " +
-                             (label
-                                ? "no voxel has the exterior label " + std::to_string(*label)
-                                : std::string("no label of the image is the exterior's; --exteriorLabel tells it")));
+                             (labels.empty()
+                                ? std::string("no label of the image is the exterior's; --exteriorLabel tells it")
+                                : "no voxel has the exterior label " + std::to_string(labels.front())));
   }
-  const auto background = static_cast<PixelType>(*label);
-  if (!options.zeroIsCell)
-  {
-    std::replace(begin, end, PixelType{ 0 }, background);
-  }
+  const auto background = static_cast<PixelType>(labels.front());
+  const auto isOther = [&](PixelType pixel) {
+    return std::find(labels.begin() + 1, labels.end(), static_cast<Label>(pixel)) != labels.end();
+  };
+  std::replace_if(begin, end, isOther, background);
   return background;
 }
 
@@ -119,7 +123,7 @@ template <typename TImage>
 std::pair<typename TImage::Pointer, ClosedGaps>
 CloseGaps(TImage * image, const LabelImageOptions & options, ProgressBar & progress)
 {
-  const auto background = UniteBackground(image, options);
+  const auto background = UniteBackground(image, options.exterior);
   const auto closing = itk::LabelGapClosingImageFilter<TImage>::New();
   closing->SetInput(image);
   closing->SetGapWidth(*options.closeGaps);
@@ -129,7 +133,12 @@ CloseGaps(TImage * image, const LabelImageOptions & options, ProgressBar & progr
   closing->Update();
   typename TImage::Pointer closed = closing->GetOutput();
   closed->DisconnectPipeline();
-  return { closed, { closing->GetUsedGapWidth(), closing->GetNumberOfChangedVoxels(), closing->GetLargestDistance() } };
+  return { closed,
+           { closing->GetUsedGapWidth(),
+             closing->GetNumberOfChangedVoxels(),
+             closing->GetLargestDistance(),
+             closing->GetShareOfGapsLeft(),
+             closing->GetWidthOfGapsLeft() } };
 }
 
 template <typename TPixel>
@@ -177,20 +186,57 @@ ReadLabelImage(const LabelImageOptions & options, ProgressBar & progress)
   });
 }
 
-TissueInput
-ExtractTissue(const LabelImage & image, const JunctionOptions & options, ProgressBar & progress)
+namespace
 {
+/** Of the image, without a look at its cells. \param speckVoxels the fewest of a label that may be specks. */
+TissueInput
+Extract(const LabelImage & image, const JunctionOptions & options, std::size_t speckVoxels, ProgressBar & progress)
+{
+  TissueInput input;
+  input.file = image.file;
+  input.image = image.description;
+  input.closedGaps = image.closedGaps;
+  input.warnings = image.warnings;
+  input.seconds = image.seconds;
+  input.extracted = VisitPixels(image, [&](const auto * pixels) {
+    if (!options.acceptsSpecks)
+    {
+      RequireNoSpecks(pixels, speckVoxels);
+    }
+    return ExtractJunctions(pixels, options, progress);
+  });
+  if (!options.acceptsSpecks)
+  {
+    RequireFewPieces(input.GetJunctionSet());
+  }
+  return input;
+}
+} // namespace
+
+TissueInput
+ExtractTissue(const LabelImage & image, JunctionOptions options, ProgressBar & progress)
+{
+  if (image.closedGaps && options.exterior.labels.size() > 1)
+  {
+    // The closing has made one label of these.
+    options.exterior.labels.resize(1);
+  }
   return WithFileName(image.file, [&] {
-    TissueInput input;
-    input.file = image.file;
-    input.image = image.description;
-    input.closedGaps = image.closedGaps;
-    input.warnings = image.warnings;
-    input.seconds = image.seconds;
-    input.extracted =
-      VisitPixels(image, [&](const auto * pixels) { return ExtractJunctions(pixels, options, progress); });
-    Append(CheckThatCellsTouch(input.GetJunctionSet(), input.closedGaps), input.warnings);
+    TissueInput         input = Extract(image, options, 1, progress);
+    const JunctionSet & junctions = input.GetJunctionSet();
+    Append(CheckExterior(junctions), input.warnings);
+    Append(CheckSuspects(junctions), input.warnings);
+    Append(CheckThatCellsTouch(junctions, input.closedGaps), input.warnings);
+    Append(CheckClosedGaps(input.closedGaps), input.warnings);
     return input;
   });
+}
+
+TissueInput
+ExtractCells(const LabelImage & image, ProgressBar & progress)
+{
+  // Markers of a voxel or two are cells here.
+  constexpr std::size_t speckVoxels = 64;
+  return WithFileName(image.file, [&] { return Extract(image, JunctionOptions(), speckVoxels, progress); });
 }
 } // namespace tissue

@@ -21,12 +21,13 @@ namespace tissue
 struct LabelImageOptions
 {
   std::string file;
-  /** Nothing: it is found in the image. */
-  std::optional<Label> exteriorLabel;
-  bool                 zeroIsCell = false;
-  ImageOptions         input;
+  /** Which labels are the exterior; found in the image by default. */
+  itk::ExteriorLabelSettings exterior;
+  ImageOptions               input;
   /** Widest gap to close, in the image's units; 0 for the automatic width; nothing: none is closed. */
   std::optional<double> closeGaps;
+  /** See JunctionOptions. */
+  bool acceptsSpecks = false;
 };
 
 /** A label image that was read, its gaps closed if they were to be. */
@@ -58,10 +59,17 @@ VisitPixels(const LabelImage & image, const TVisitor & visit)
 LabelImage
 ReadLabelImage(const LabelImageOptions & options, ProgressBar & progress);
 
-/** The tissue of a label image.
- * \throws FileError: fewer than four cells, an absent exterior label, cells that do not touch. */
+/** The tissue of a label image, with a warning where no label is the exterior's, where labels may be no cells, where
+ * some cells touch no other, and where gaps remain that were to be closed.
+ * \throws FileError: no cell, an absent label that was named, labels that are specks, cells of which most touch no
+ * other. */
 TissueInput
-ExtractTissue(const LabelImage & image, const JunctionOptions & options, ProgressBar & progress);
+ExtractTissue(const LabelImage & image, JunctionOptions options, ProgressBar & progress);
+
+/** The cells of a label image, which need not touch each other, with the warnings of reading it.
+ * \throws FileError: no cell; labels of many voxels each that are specks. */
+TissueInput
+ExtractCells(const LabelImage & image, ProgressBar & progress);
 } // namespace tissue
 
 #endif

@@ -22,8 +22,8 @@ MakeMesh(const TissueInput & input, itk::TissueLabelVolume::Pointer volume, cons
   filter->SetInput(input.extracted.junctions);
   filter->SetParameters(parameters);
   filter->SetLabelVolume(volume);
-  progress.Begin("Optimizing the complex");
-  progress.Observe(filter);
+  progress.Begin("Finding the complex");
+  progress.Observe(filter, [mesher = filter.GetPointer()]() { return std::string(mesher->GetPhase()); });
   filter->Update();
   return filter->GetOutput();
 }

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionReport.h"
 
+#include "Shared/Reconstruction/SuspectLabels.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Geometry/TriangleQuality.h"
 
@@ -58,19 +59,6 @@ ToJson(const ReconstructionStage & stage, bool hasLabelImage)
   return json;
 }
 
-/** Mean of the cells' relative difference from their volume in the image. */
-double
-MeanVolumeError(const ReconstructionReport & report)
-{
-  const std::vector<Cell> & cells = report.GetCells();
-  double                    sum = 0.0;
-  for (std::size_t v = 1; v < cells.size(); ++v)
-  {
-    sum += std::abs(report.tissue.check.cells[v].volume / cells[v].volume - 1.0);
-  }
-  return sum / static_cast<double>(cells.size() - 1);
-}
-
 /** The labels of the cell that has the angle and of its wall's cells, and the mean of the place's points. */
 Json
 SharpPlacesToJson(const TissueReconstruction & reconstruction, const std::vector<Cell> & cells)
@@ -103,6 +91,7 @@ MeshToJson(const ReconstructionReport & report)
   const WallMesh &             mesh = reconstruction.walls;
   const CellSurfaceCheck &     check = report.tissue.check;
   const std::vector<Cell> &    cells = report.GetCells();
+  const auto                   volumes = MeasureVolumeErrors(report);
   const QualitySummary         quality = SummarizeTriangleQuality(mesh.points, mesh.triangles);
   return { { "points", mesh.points.size() },
            { "triangles", mesh.triangles.size() },
@@ -112,7 +101,8 @@ MeshToJson(const ReconstructionReport & report)
            { "untangledPairs", reconstruction.fitting.untangledPairs },
            { "crossingPairs", reconstruction.fitting.crossingPairs },
            { "starWalls", reconstruction.fitting.starWalls },
-           { "meanVolumeError", report.HasLabelImage() ? Json(MeanVolumeError(report)) : Json() },
+           { "meanVolumeError", volumes ? Json(volumes->mean) : Json() },
+           { "cellsAboveOnePercent", volumes ? Json(volumes->numberAboveOnePercent) : Json() },
            { "triangleQuality",
              { { "mean", quality.mean }, { "fifthPercentile", quality.fifthPercentile }, { "least", quality.least } } },
            { "minimumTriangleAngle", check.angles.minimumTriangleAngle },
@@ -159,25 +149,28 @@ InputToJson(const ReconstructionReport & report)
   const bool          hasLabelImage = report.HasLabelImage();
   const bool          hasVoxels = report.HasVoxels();
   const ClosedGaps    gaps = input.closedGaps.value_or(ClosedGaps());
-  return {
-    { "file", input.file },
-    { "points", input.numberOfPoints },
-    { "pointUnit", ToJsonIf(!input.pointUnit.empty(), input.pointUnit) },
-    { "names", NamesToJson(input.names) },
-    { "pixelType", ToJsonIf(!input.image.pixelType.empty(), input.image.pixelType) },
-    { "size", ToJsonIf(hasVoxels, input.image.size) },
-    { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
-    { "unit", ToJsonIf(!input.image.unit.empty(), input.image.unit) },
-    { "exteriorLabel", input.extracted.exteriorLabel },
-    { "cells", junctions.cells.size() - 1 },
-    { "voids", ToJsonIf(hasLabelImage, report.NumberOfVoids()) },
-    { "walls", ToJsonIf(hasLabelImage, junctions.walls.size()) },
-    { "tripleLines", ToJsonIf(hasLabelImage, junctions.tripleLines.size()) },
-    { "junctions", ToJsonIf(hasLabelImage, junctions.junctions.size()) },
-    { "blocksOfMoreThanFourCells", ToJsonIf(hasLabelImage, junctions.numberOfCrowdedBlocks) },
-    { "closedGaps",
-      { { "width", gaps.width }, { "voxels", gaps.numberOfVoxels }, { "largestDistance", gaps.largestDistance } } }
-  };
+  return { { "file", input.file },
+           { "points", input.numberOfPoints },
+           { "pointUnit", ToJsonIf(!input.pointUnit.empty(), input.pointUnit) },
+           { "names", NamesToJson(input.names) },
+           { "pixelType", ToJsonIf(!input.image.pixelType.empty(), input.image.pixelType) },
+           { "size", ToJsonIf(hasVoxels, input.image.size) },
+           { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
+           { "exteriorLabel", input.extracted.exteriorLabel },
+           { "exteriorLabels", junctions.exteriorLabels },
+           { "droppedLabels", input.extracted.droppedLabels },
+           { "suspects", FindSuspectLabels(junctions) },
+           { "cells", junctions.cells.size() - 1 },
+           { "voids", ToJsonIf(hasLabelImage, report.NumberOfVoids()) },
+           { "walls", ToJsonIf(hasLabelImage, junctions.walls.size()) },
+           { "tripleLines", ToJsonIf(hasLabelImage, junctions.tripleLines.size()) },
+           { "junctions", ToJsonIf(hasLabelImage, junctions.junctions.size()) },
+           { "blocksOfMoreThanFourCells", ToJsonIf(hasLabelImage, junctions.numberOfCrowdedBlocks) },
+           { "closedGaps",
+             { { "width", gaps.width },
+               { "voxels", gaps.numberOfVoxels },
+               { "largestDistance", gaps.largestDistance },
+               { "shareLeft", gaps.shareLeft } } } };
 }
 
 Json
@@ -253,6 +246,7 @@ ToJson(const ReconstructionReport & report)
   json["cycles"] = CyclesToJson(r.cycles);
   json["energy"] = r.energy;
   json["mesh"] = MeshToJson(report);
+  json["faults"] = CollectFaults(report);
   json["warnings"] = CollectWarnings(report);
   json["remarks"] = RemarksToJson(report);
   json["seconds"] = SecondsToJson(report);
@@ -262,27 +256,12 @@ ToJson(const ReconstructionReport & report)
 std::vector<std::string>
 CollectWarnings(const ReconstructionReport & report)
 {
-  const CellSurfaceCheck &  check = report.tissue.check;
-  const std::vector<Cell> & cells = report.GetCells();
-  std::vector<std::string>  warnings = report.input.warnings;
+  std::vector<std::string> warnings = report.input.warnings;
   if (report.evaluation)
   {
     Append(report.evaluation->warnings, warnings);
   }
-  const auto                addCells = [&](const std::vector<VertexId> & vertices, const std::string & what) {
-    if (!vertices.empty())
-    {
-      warnings.push_back(std::to_string(vertices.size()) + (vertices.size() == 1 ? " cell " : " cells ") + what +
-                         " (labels " + NameLabels(LabelsOf(vertices, cells)) + ")");
-    }
-  };
-  addCells(check.cellsWithoutTriangles, "of the image are missing from the mesh");
-  addCells(check.cellsThatAreNoSphere, "have a surface that is no closed sphere");
-  if (!check.crowdedPoints.empty())
-  {
-    warnings.push_back("at " + std::to_string(check.crowdedPoints.size()) +
-                       " points of the mesh more than four cells meet");
-  }
+  Append(CollectFaults(report), warnings);
   return warnings;
 }
 

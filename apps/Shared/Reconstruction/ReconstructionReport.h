@@ -70,9 +70,37 @@ struct ReconstructionReport
 nlohmann::ordered_json
 ToJson(const ReconstructionReport & report);
 
-/** What the user must know: of the input, and where the mesh is not what it should be. One line each. */
+/** How far the volumes of the cells are from those in the image. */
+struct VolumeErrors
+{
+  /** Of the relative differences. */
+  double mean = 0.0;
+  /** The cells that are more than 1 %, and more than 5 %, off. */
+  std::size_t           numberAboveOnePercent = 0;
+  std::vector<VertexId> aboveFivePercent;
+};
+
+/** Nothing where there is no label image. */
+std::optional<VolumeErrors>
+MeasureVolumeErrors(const ReconstructionReport & report);
+
+/** Where the mesh is not what a user may expect, in words, one line each: cells that are missing, no closed spheres or
+ * more than 5 % off their volume, points of more than four cells, triangles that cross. */
+std::vector<std::string>
+CollectFaults(const ReconstructionReport & report);
+
+/** What the user must know: of the input, and the faults of the mesh. One line each. */
 std::vector<std::string>
 CollectWarnings(const ReconstructionReport & report);
+
+/** The gravest of the remarks, and of several of its kind that of the largest value; for volumes that farthest from 1.
+ */
+std::optional<CellRemark>
+FindWorstRemark(const ReconstructionReport & report);
+
+/** \throws StrictError where it is to be strict and the mesh has faults. */
+void
+RequireNoFaults(const ReconstructionReport & report, bool isStrict);
 
 /** The remarks on cells: those that the check of the mesh makes, then those of the reconstruction. */
 std::vector<CellRemark>
@@ -83,7 +111,7 @@ std::vector<Label>
 LabelsOf(const std::vector<VertexId> & vertices, const std::vector<Cell> & cells);
 
 /** The report for a person: the input, the stages as the rows of the paper's Table 1, the mesh, the remarks on cells by
- * kind, and the files written. */
+ * kind, the files written, and in the last lines how good the mesh is. */
 void
 Print(const ReconstructionReport & report, const OutputPaths & outputs, std::ostream & stream);
 

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionReport.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -80,6 +81,25 @@ PrintRemarks(const ReconstructionReport & report, std::ostream & stream)
   }
 }
 
+/** The labels of the image that are exterior, dropped ones apart. */
+std::string
+DescribeExterior(const ReconstructionReport & report)
+{
+  const TissueInput &        input = report.input;
+  const std::vector<Label> & dropped = input.extracted.droppedLabels;
+  std::vector<Label>         others;
+  for (const Label label : input.GetJunctionSet().exteriorLabels)
+  {
+    if (label != input.extracted.exteriorLabel && label != 0 &&
+        !std::binary_search(dropped.begin(), dropped.end(), label))
+    {
+      others.push_back(label);
+    }
+  }
+  return "label " + std::to_string(input.extracted.exteriorLabel) + (others.empty() ? "" : ", " + NameLabels(others)) +
+         (dropped.empty() ? "" : "; dropped as no cells: " + NameLabels(dropped));
+}
+
 void
 PrintInput(const ReconstructionReport & report, std::ostream & stream)
 {
@@ -95,7 +115,7 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
     stream << size[0] << " x " << size[1] << " x " << size[2] << " voxels of " << spacing[0] << " x " << spacing[1]
            << " x " << spacing[2] << (input.image.unit.empty() ? "" : " " + input.image.unit) << ", ";
   }
-  stream << report.GetCells().size() - 1 << " cells, exterior label " << input.extracted.exteriorLabel << '\n';
+  stream << report.GetCells().size() - 1 << " cells, exterior " << DescribeExterior(report) << '\n';
   if (report.NumberOfVoids() > 0)
   {
     stream << "Voids enclosed in the tissue: " << report.NumberOfVoids() << '\n';
@@ -117,9 +137,30 @@ PrintMesh(const ReconstructionReport & report, std::ostream & stream)
   stream << "Mesh: " << mesh.walls.size() << " walls, " << mesh.points.size() << " points, " << mesh.triangles.size()
          << " triangles, " << std::setprecision(1)
          << static_cast<double>(mesh.triangles.size()) / static_cast<double>(numberOfCells) << " a cell\n";
-  stream << "Cells whose surfaces are closed spheres: "
-         << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size() << " of "
-         << numberOfCells << "; points with more than four cells: " << check.crowdedPoints.size() << '\n';
+  stream << "Points with more than four cells: " << check.crowdedPoints.size() << '\n';
+}
+
+/** How good the mesh is, in the last lines, in few words. */
+void
+PrintVerdict(const ReconstructionReport & report, std::ostream & stream)
+{
+  const TissueReconstruction & reconstruction = report.GetReconstruction();
+  const CellSurfaceCheck &     check = report.tissue.check;
+  const std::vector<Cell> &    cells = report.GetCells();
+  const std::size_t            numberOfCells = cells.size() - 1;
+  stream << "Closed spheres: " << numberOfCells - check.cellsThatAreNoSphere.size() - check.cellsWithoutTriangles.size()
+         << " of " << numberOfCells << " cells; pairs of triangles that cross: " << reconstruction.fitting.crossingPairs
+         << '\n';
+  if (const auto volumes = MeasureVolumeErrors(report))
+  {
+    const AdjacencyOverlap & overlap = reconstruction.stages.back().statistics.overlap;
+    stream << std::fixed << "Volumes: mean error " << std::setprecision(2) << 100.0 * volumes->mean
+           << " %, cells above 1 %: " << volumes->numberAboveOnePercent << "; adjacency2 " << std::setprecision(4)
+           << overlap.adjacency2 << ", adjacency4 " << overlap.adjacency4 << std::defaultfloat << '\n';
+  }
+  const auto worst = FindWorstRemark(report);
+  stream << "Worst remark: "
+         << (worst ? "cell " + std::to_string(cells[worst->cell].label) + ' ' + Describe(*worst) : "none") << '\n';
 }
 } // namespace
 
@@ -141,6 +182,7 @@ Print(const ReconstructionReport & report, const OutputPaths & outputs, std::ost
     separator = ", ";
   }
   stream << '\n';
+  PrintVerdict(report, stream);
 }
 
 void

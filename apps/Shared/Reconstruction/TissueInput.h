@@ -37,6 +37,10 @@ struct ClosedGaps
   double      width = 0.0;
   std::size_t numberOfVoxels = 0;
   double      largestDistance = 0.0;
+  /** Of the places where two cells are next to each other, the share that is still apart, and by how much: see
+   * itk::LabelGapClosingImageFilter. */
+  double shareLeft = 0.0;
+  double widthLeft = 0.0;
 };
 
 /** Times on the wall of the steps that led to the labels. */
@@ -54,6 +58,8 @@ struct ExtractedJunctions
   /** The labels that the walls are fitted to; none if they are not. */
   itk::TissueLabelVolume::Pointer volume;
   Label                           exteriorLabel = 0;
+  /** Those that were taken for exterior though they are no background. */
+  std::vector<Label> droppedLabels;
   /** Time on the wall that it took. */
   double seconds = 0.0;
 };
@@ -110,6 +116,18 @@ NameLabels(const std::vector<Label> & labels);
  * \throws std::runtime_error where most cells are such. */
 std::vector<std::string>
 CheckThatCellsTouch(const JunctionSet & junctions, const std::optional<ClosedGaps> & closedGaps);
+/** A warning where no voxel of the image is exterior, with the label that covers most of its border. */
+std::vector<std::string>
+CheckExterior(const JunctionSet & junctions);
+
+/** A warning of labels that may be no cells. */
+std::vector<std::string>
+CheckSuspects(const JunctionSet & junctions);
+
+/** A warning of gaps that remain where they were closed: in a twentieth or more of the places where cells are next to
+ * each other. */
+std::vector<std::string>
+CheckClosedGaps(const std::optional<ClosedGaps> & closedGaps);
 } // namespace tissue
 
 #endif

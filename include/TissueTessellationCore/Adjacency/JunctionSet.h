@@ -96,6 +96,8 @@ struct JunctionSet
   std::vector<JunctionVote> votes;
   /** The number of 2x2x2 blocks with more than four labels. */
   std::int64_t numberOfCrowdedBlocks = 0;
+  /** All labels that stand for the exterior, ascending, whether the image has them or not. */
+  std::vector<Label> exteriorLabels;
 
   VertexId
   NumberOfVertices() const

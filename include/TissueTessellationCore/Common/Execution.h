@@ -36,13 +36,16 @@ public:
   using ParallelLoop = std::function<void(std::size_t count, const LoopBody & body)>;
   /** The function is told the fraction of the whole that is done, in 0 .. 1, ascending, and returns false to stop. */
   using ProgressFunction = std::function<bool(double)>;
+  /** The function is told what is being done from now on, in a few words. */
+  using PhaseFunction = std::function<void(const char *)>;
 
   Execution() = default;
 
-  /** Either function may be empty. */
-  explicit Execution(ParallelLoop loop, ProgressFunction progress = {})
+  /** Each function may be empty. */
+  explicit Execution(ParallelLoop loop, ProgressFunction progress = {}, PhaseFunction phase = {})
     : m_Loop(std::move(loop))
     , m_Progress(std::move(progress))
+    , m_Phase(std::move(phase))
   {}
 
   /** Runs the body for 0 ... count - 1. The body may not depend on their order. */
@@ -71,6 +74,16 @@ public:
     }
   }
 
+  /** Tells what is being done from now on: "Fitting the walls". As Report(), not from within a loop's body. */
+  void
+  EnterPhase(const char * phase) const
+  {
+    if (m_Phase)
+    {
+      m_Phase(phase);
+    }
+  }
+
   /** Returns the execution of a part of the computation, whose 0 .. 1 is begin .. end of the whole. */
   Execution
   Part(double begin, double end) const
@@ -79,14 +92,16 @@ public:
     {
       return *this;
     }
-    return Execution(m_Loop, [progress = m_Progress, begin, end](double fraction) {
-      return progress(begin + (end - begin) * fraction);
-    });
+    return Execution(
+      m_Loop,
+      [progress = m_Progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); },
+      m_Phase);
   }
 
 private:
   ParallelLoop     m_Loop;
   ProgressFunction m_Progress;
+  PhaseFunction    m_Phase;
 };
 } // namespace tissue
 

@@ -43,7 +43,8 @@ struct TrianglesOfLabels
 };
 
 /** Gives the triangles with cells in place of labels. Points at the very same place become one, the first of them, as
- * the triangles of most programs are neighbours by their places alone.
+ * the triangles of most programs are neighbours by their places alone. Labels of the exterior are all that
+ * JunctionSet::exteriorLabels names, and -1 where no cell has it; triangles between two of them are left out.
  * \throws std::invalid_argument where a label is neither a cell's nor the exterior's, or on both sides of a triangle,
  * or a point is out of range or not finite. */
 LabelledTriangles

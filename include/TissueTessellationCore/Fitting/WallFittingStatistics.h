@@ -21,8 +21,9 @@ struct WallFittingStatistics
   std::int64_t unfittedCorners = 0;
   /** The number of unfitted corners of each cell. */
   std::vector<std::int32_t> unfittedCornersOfCell;
-  /** The pairs of triangles of the first star that crossed and were parted, and those that no search could part. */
+  /** The pairs of triangles of the first star that crossed and were parted. */
   std::int64_t untangledPairs = 0;
+  /** The pairs of triangles that cross in the mesh, fitted or not, as no search could part them. */
   std::int64_t crossingPairs = 0;
   /** The number of walls that stay a subdivided star or outline at first, as they would cross others if remeshed. */
   std::int64_t starWalls = 0;

@@ -9,6 +9,7 @@
 
 #include "TissueTessellationCore/Common/Types.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <vector>
 
@@ -22,11 +23,14 @@ struct ExteriorLabels
   bool  hasLabel = false;
   Label label = 0;
   bool  zeroIsCell = false;
+  /** Further labels of the exterior. */
+  std::vector<Label> others = {};
 
   bool
-  Contains(Label other) const
+  Contains(Label asked) const
   {
-    return (hasLabel && other == label) || (other == 0 && !zeroIsCell);
+    return (hasLabel && asked == label) || (asked == 0 && !zeroIsCell) ||
+           std::find(others.begin(), others.end(), asked) != others.end();
   }
 };
 

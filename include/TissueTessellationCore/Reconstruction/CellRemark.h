@@ -22,6 +22,10 @@ enum class Remark
 {
   /** The cell has stray pieces; only its largest piece gives its centre. Value: voxels in the others. */
   SeveralPieces,
+  /** The label may be no cell, by its size, its exterior, or its pieces: Suspicion. Value: as there. */
+  SuspectLarge,
+  SuspectPocket,
+  SuspectPieces,
   /** The border of the image may cut the cell. */
   CutByBorder,
   /** The cell has one neighbour in the image: it is enclosed in it. Value: the neighbour's label. */
@@ -44,6 +48,9 @@ enum class Remark
   /** The cell is a ring, or has several handles, in the image, and its surface in the mesh has them too. Value: the
    * number of handles. */
   HandlesKept,
+  /** The cell has holes of background in the image, which enclosed nothing else, and keeps them. Value: their number.
+   */
+  Cavities,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */

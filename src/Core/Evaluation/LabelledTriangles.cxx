@@ -78,16 +78,21 @@ FindFirstAtPlace(const std::vector<Point> & points)
   return first;
 }
 
+/** Where no cell has the label -1, it is the exterior's, as other programs write it. */
 VertexId
-VertexOfLabel(Label label, std::size_t triangle, const std::vector<Cell> & cells)
+VertexOfLabel(Label label, std::size_t triangle, const JunctionSet & junctions)
 {
-  const auto at = std::lower_bound(
+  constexpr Label outside = -1;
+  const auto &    cells = junctions.cells;
+  const auto      at = std::lower_bound(
     cells.begin() + 1, cells.end(), label, [](const Cell & cell, Label wanted) { return cell.label < wanted; });
   if (at != cells.end() && at->label == label)
   {
     return static_cast<VertexId>(at - cells.begin());
   }
-  if (label != cells[ExteriorVertex].label)
+  const std::vector<Label> & exterior = junctions.exteriorLabels;
+  if (label != outside && label != cells[ExteriorVertex].label &&
+      std::find(exterior.begin(), exterior.end(), label) == exterior.end())
   {
     throw std::invalid_argument("triangle " + std::to_string(triangle) + " has label " + std::to_string(label) +
                                 ", which the image has not; the label of its exterior is " +
@@ -120,9 +125,11 @@ FindCellsOfTriangles(const TrianglesOfLabels & mesh, const JunctionSet & junctio
       throw std::invalid_argument("triangle " + std::to_string(t) + " has label " + std::to_string(labels[0]) +
                                   " on both sides");
     }
-    result.triangles.push_back(
-      { { { first[points[0]], first[points[1]], first[points[2]] } },
-        { { VertexOfLabel(labels[0], t, junctions.cells), VertexOfLabel(labels[1], t, junctions.cells) } } });
+    const VertexPair cells{ { VertexOfLabel(labels[0], t, junctions), VertexOfLabel(labels[1], t, junctions) } };
+    if (cells[0] != cells[1])
+    {
+      result.triangles.push_back({ { { first[points[0]], first[points[1]], first[points[2]] } }, cells });
+    }
   }
   return result;
 }

@@ -19,6 +19,12 @@ namespace
  * would stay where no single move lowers it; with all of them points would drift. */
 constexpr double TieShare = 0.3;
 
+/** The pairs of triangles, close or not, that the search may look at, in all and for each triangle of the mesh. A
+ * tissue's star needs far fewer; an image of noise, whose star cannot be untangled, would take hours without a limit.
+ */
+constexpr std::int64_t MostTests = 200000000;
+constexpr std::int64_t MostTestsPerTriangle = 20000;
+
 /** The corners of the crossing triangles. */
 std::set<PointId>
 CornersOf(const WallMesh & mesh, const std::vector<TrianglePair> & crossings)
@@ -62,17 +68,20 @@ Propose(const WallMesh & mesh, const LoosePoint & entry, Random & random)
   return proposals;
 }
 
-/** Moves the point to the proposed place where its triangles cross the fewest others; see TieShare for ties. */
-void
+/** Moves the point to the proposed place where its triangles cross the fewest others; see TieShare for ties. Returns
+ * the number of tests of two triangles that this took. */
+std::int64_t
 Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
 {
-  int best = CountCrossings(mesh, entry);
+  int        best = CountCrossings(mesh, entry);
+  const auto testsPerCount = static_cast<std::int64_t>(entry.triangles.size() * entry.close.size());
   if (best == 0)
   {
-    return;
+    return testsPerCount;
   }
-  Point place = mesh.points[entry.point];
-  for (const Point & proposal : Propose(mesh, entry, random))
+  Point                    place = mesh.points[entry.point];
+  const std::vector<Point> proposals = Propose(mesh, entry, random);
+  for (const Point & proposal : proposals)
   {
     mesh.points[entry.point] = proposal;
     const int count = CountCrossings(mesh, entry);
@@ -83,8 +92,15 @@ Improve(WallMesh & mesh, const LoosePoint & entry, Random & random)
     }
   }
   mesh.points[entry.point] = place;
+  return testsPerCount * static_cast<std::int64_t>(proposals.size() + 1);
 }
 } // namespace
+
+bool
+IsHopeless(std::int64_t crossingPairs, const WallMesh & mesh)
+{
+  return crossingPairs > static_cast<std::int64_t>(mesh.triangles.size());
+}
 
 UntanglingCounts
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
@@ -92,19 +108,23 @@ Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
   // A local search over the corners of the crossing triangles. They are few, so that all their moves are tested against
   // one list of close triangles, and crossings in the whole mesh are looked for only after each sweep. A sweep searches
   // a few times, as a point's best place depends on where the others went.
-  constexpr int             searchesPerSweep = 3;
-  Random                    random(1);
+  constexpr int      searchesPerSweep = 3;
+  const std::int64_t mostTests = MostTests + MostTestsPerTriangle * static_cast<std::int64_t>(mesh.triangles.size());
+  std::int64_t       tests = 0;
+  Random             random(1);
   std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);
   UntanglingCounts          counts;
   counts.before = static_cast<std::int64_t>(crossings.size());
-  for (int sweep = 0; sweep < maximumSweeps && !crossings.empty(); ++sweep)
+  for (int sweep = 0;
+       sweep < maximumSweeps && !crossings.empty() && !IsHopeless(counts.before, mesh) && tests < mostTests;
+       ++sweep)
   {
     const std::vector<LoosePoint> loose = CollectLoosePoints(mesh, CornersOf(mesh, crossings));
     for (int i = 0; i < searchesPerSweep; ++i)
     {
-      for (const LoosePoint & entry : loose)
+      for (std::size_t entry = 0; entry < loose.size() && tests < mostTests; ++entry)
       {
-        Improve(mesh, entry, random);
+        tests += Improve(mesh, loose[entry], random);
       }
     }
     crossings = FindCrossings(mesh, execution);

@@ -97,13 +97,14 @@ public:
     const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectWallFaces(mesh, m_Pairs, m_Tissue.vertices);
     this->LiftCenters(mesh);
+    m_Execution.Report(0.6 * StarShare);
     // An equilateral triangle of this area has edges as long as this.
     TriangulateFarOutlines(mesh, m_Faces, std::sqrt(triangleArea * 4.0 / std::sqrt(3.0)), m_Execution);
     const UntanglingCounts crossings = Untangle(mesh, UntanglingSweeps, m_Execution);
     statistics.untangledPairs = crossings.before - crossings.after;
     statistics.crossingPairs = crossings.after;
     m_Anchors.assign(mesh.points.begin(), mesh.points.begin() + static_cast<std::ptrdiff_t>(numberOfCorners));
-    this->FitStar(mesh, FirstStarRounds);
+    this->FitStar(mesh, IsHopeless(crossings.after, mesh) ? 0 : FirstStarRounds);
     return mesh;
   }
 
@@ -337,19 +338,23 @@ FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, Wa
 {
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
-  Fitter                  fitter(tissue, execution);
-  WallMesh                mesh = fitter.MakeStar(std::move(dual), s);
-  if (trianglesPerCell > 0.0)
+  execution.EnterPhase("Making the walls");
+  Fitter   fitter(tissue, execution);
+  WallMesh mesh = fitter.MakeStar(std::move(dual), s);
+  execution.EnterPhase("Fitting the walls");
+  const bool isHopeless = IsHopeless(s.crossingPairs, mesh);
+  const bool isRemeshed = trianglesPerCell > 0.0 && !isHopeless;
+  if (isRemeshed)
   {
     fitter.FitRemeshed(mesh, trianglesPerCell, s);
   }
-  else
+  else if (!isHopeless)
   {
     fitter.FitStar(mesh, LastStarRounds);
   }
   fitter.PutCornersInOrder(mesh);
   JoinWalls(mesh);
-  if (trianglesPerCell > 0.0)
+  if (isRemeshed)
   {
     s.sharpPlaces = FindSharpPlaces(mesh, AngleLimits());
   }

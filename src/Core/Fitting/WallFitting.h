@@ -37,7 +37,8 @@ struct TissueImage
  *
  * The first points of the mesh are the corners of four cells, in the order of the dual; the walls are in the order of
  * the ranks of their cells. The number of triangles approaches `trianglesPerCell`, each triangle counted once. Where it
- * is 0 walls are the stars alone, except for walls that are far from the image (TriangulateFarOutlines()). The result
+ * is 0 walls are the stars alone, except for walls that are far from the image (TriangulateFarOutlines());
+ * so they are where they cross too often to be remeshed. The result
  * is the same for any `execution`. \throws Aborted where `execution` asks to stop. */
 WallMesh
 FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell,

@@ -33,6 +33,20 @@ FindFreeLabel(const std::vector<Label> & labels)
   return label;
 }
 
+/** That of the exterior's vertex among them. */
+std::vector<Label>
+ListLabels(const ExteriorLabels & exterior, Label ofVertex)
+{
+  std::vector<Label> labels = exterior.others;
+  labels.push_back(ofVertex);
+  if (!exterior.zeroIsCell)
+  {
+    labels.push_back(0);
+  }
+  SortUnique(labels);
+  return labels;
+}
+
 /** Makes a cell of each label that any scan met, in ascending order after the exterior, and marks those that have a
  * voxel on the border. Returns the maps from the scans' numbers to these vertices. */
 VertexMaps
@@ -302,6 +316,7 @@ GatherJunctions(const Scans & scans, const BlockScan::Index & size, const Point 
   {
     set.numberOfCrowdedBlocks += scan->GetNumberOfCrowdedBlocks();
   }
+  set.exteriorLabels = ListLabels(exterior, set.cells[ExteriorVertex].label);
   return set;
 }
 } // namespace tissue

@@ -8,9 +8,11 @@
 
 #include "Adjacency/ReferenceAdjacency.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Adjacency/SuspectCells.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
 
 #include <iterator>
+#include <map>
 #include <sstream>
 
 namespace tissue
@@ -31,8 +33,20 @@ struct RemarkWords
 constexpr RemarkWords Words[] = {
   { Remark::SeveralPieces,
     "severalPieces",
-    "is in several pieces; {value} voxels outside the largest one do not count for its centre",
+    "is in several pieces; {value} voxel{s} outside the largest one do not count for its centre",
     "in several pieces; the largest counts" },
+  { Remark::SuspectLarge,
+    "suspectLarge",
+    "may be no cell: it lies on the border of the image and has {value} times the median volume",
+    "that may be none: on the border of the image, and of many times the median volume" },
+  { Remark::SuspectPocket,
+    "suspectPocket",
+    "may be no cell: it lies at the exterior and the border of the image, and has {value} times the median volume",
+    "that may be none: large, at the exterior and the border of the image" },
+  { Remark::SuspectPieces,
+    "suspectPieces",
+    "may be no cell: of its voxels {value} are apart from its largest piece",
+    "that may be none: in several large pieces" },
   { Remark::CutByBorder,
     "cutByBorder",
     "lies on the border of the image and may be cut there",
@@ -60,6 +74,10 @@ constexpr RemarkWords Words[] = {
     "had handles in the image; {value} voxel{s} that closed them went to its neighbours",
     "with handles in the image that are cut in the mesh" },
   { Remark::HandlesKept, "handlesKept", "has {value} handle{s} in the image", "with handles in the image" },
+  { Remark::Cavities,
+    "cavities",
+    "has {value} hole{s} of background within, with a surface of its own each",
+    "with holes of background within, which are kept" },
   { Remark::CenterMoved,
     "centerMoved",
     "had the same centre as another cell; moved by {value}",
@@ -167,6 +185,19 @@ CountWalls(const AdjacencyTuples & complex, const JunctionSet & junctions)
   return counts;
 }
 
+Remark
+RemarkOf(Suspicion suspicion)
+{
+  switch (suspicion)
+  {
+    case Suspicion::Large:
+      return Remark::SuspectLarge;
+    case Suspicion::Pocket:
+      return Remark::SuspectPocket;
+    default:
+      return Remark::SuspectPieces;
+  }
+}
 } // namespace
 
 const char *
@@ -195,8 +226,13 @@ DescribeSeveral(Remark remark)
 std::vector<CellRemark>
 CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions)
 {
-  const std::vector<WallCounts> counts = CountWalls(complex, junctions);
-  std::vector<CellRemark>       remarks;
+  const std::vector<WallCounts>   counts = CountWalls(complex, junctions);
+  std::map<VertexId, SuspectCell> suspects;
+  for (const SuspectCell & suspect : FindSuspectCells(junctions))
+  {
+    suspects.emplace(suspect.cell, suspect);
+  }
+  std::vector<CellRemark> remarks;
   for (VertexId v = ExteriorVertex + 1; v < static_cast<VertexId>(junctions.cells.size()); ++v)
   {
     const Cell &       cell = junctions.cells[v];
@@ -211,6 +247,10 @@ CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions)
     const bool isInExterior = count.neighbor == ExteriorVertex;
     const bool touches = complex.HasPair(ExteriorVertex, v);
     add(cell.numberOfPieces > 1, Remark::SeveralPieces, static_cast<double>(cell.numberOfStrayVoxels));
+    if (suspects.count(v) > 0)
+    {
+      add(true, RemarkOf(suspects.at(v).suspicion), suspects.at(v).value);
+    }
     add(cell.touchesBorder, Remark::CutByBorder, 0.0);
     add(isAlone && !isInExterior, Remark::Enclosed, static_cast<double>(junctions.cells[count.neighbor].label));
     add(isAlone && isInExterior, Remark::Separated, 0.0);

@@ -8,6 +8,8 @@
 
 #include "Fitting/WallFitting.h"
 #include "Geometry/SpatialOrder.h"
+#include "Mesh/Cavities.h"
+#include "Mesh/Crossings.h"
 #include "Reconstruction/TissueComplex.h"
 #include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
@@ -109,6 +111,21 @@ RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, bool isFitt
   }
 }
 
+/** Names the cells with holes of background. */
+void
+RemarkCavities(const WallMesh & walls, std::vector<CellRemark> & remarks)
+{
+  std::map<VertexId, int> cavitiesOf;
+  for (const VertexId cell : FindCavities(walls))
+  {
+    ++cavitiesOf[cell];
+  }
+  for (const auto & [cell, count] : cavitiesOf)
+  {
+    remarks.push_back({ cell, Remark::Cavities, static_cast<double>(count) });
+  }
+}
+
 /** Names the cells with corners that are not at the image's. */
 void
 RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size_t numberOfCells,
@@ -151,6 +168,7 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
   {
     RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
   }
+  RemarkCavities(result.walls, remarks);
   RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
   RemarkSharpPlaces(result, remarks);
   std::stable_sort(
@@ -190,9 +208,10 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   const ReferenceAdjacency    reference(junctions);
   const TissueCells           cells{ junctions, reference, centers, order, ranks };
   const Execution             first = execution.Part(0.0, ComplexShare);
-  TissueComplex               complex = parameters.source == ComplexSource::Image
-                                          ? TakeComplexFromImage(cells, *volume, parameters, result, first)
-                                          : MakeComplexFromCenters(cells, parameters, result, first);
+  const bool                  isOfImage = parameters.source == ComplexSource::Image;
+  execution.EnterPhase(isOfImage ? "Finding the complex" : "Optimizing the complex");
+  TissueComplex complex = isOfImage ? TakeComplexFromImage(cells, *volume, parameters, result, first)
+                                    : MakeComplexFromCenters(cells, parameters, result, first);
 
   Stopwatch             stopwatch;
   const AdjacencyTuples tuples = complex.tuples;
@@ -202,6 +221,10 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
       ? MakeFittedWalls(
           std::move(complex), cells, *volume, parameters, result.fitting, execution.Part(ComplexShare, 1.0))
       : MakeStarWalls(complex.dual.mesh, parameters);
+  if (!result.isFitted)
+  {
+    result.fitting.crossingPairs = static_cast<std::int64_t>(FindCrossings(result.walls, execution).size());
+  }
   result.remarks = GatherRemarks(tuples, junctions, result);
   result.dualSeconds = stopwatch.Lap().wallSeconds;
   execution.Report(1.0);

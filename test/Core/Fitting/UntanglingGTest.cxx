@@ -7,6 +7,7 @@
 #include "Fitting/Untangling.h"
 #include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
+#include "TissueTessellationCore/Common/Random.h"
 #include "TwoTriangles.h"
 
 #include <gtest/gtest.h>
@@ -110,4 +111,20 @@ TEST(Untangling, IsTheSameEachTimeAndInAnyOrderOfWork)
   Untangle(backwards, 60, Execution(RunBackwards));
   EXPECT_EQ(first.points, second.points);
   EXPECT_EQ(first.points, backwards.points);
+}
+
+TEST(Untangling, EndsWhereItIsHopeless)
+{
+  // Stars of one tissue drawn at random places: all cross, and tests of all pairs in 10 000 sweeps would take hours.
+  WallMesh mesh = RandomTissue(150);
+  Random   random(5);
+  for (Point & point : mesh.points)
+  {
+    point = { { random.Uniform(), random.Uniform(), random.Uniform() } };
+  }
+  const auto before = FindCrossings(mesh).size();
+  ASSERT_GT(before, 100000u);
+  const std::int64_t left = Untangle(mesh, 10000).after;
+  EXPECT_EQ(left, static_cast<std::int64_t>(before));
+  EXPECT_EQ(left, static_cast<std::int64_t>(FindCrossings(mesh).size()));
 }
