@@ -156,6 +156,7 @@ InputToJson(const ReconstructionReport & report)
            { "pixelType", ToJsonIf(!input.image.pixelType.empty(), input.image.pixelType) },
            { "size", ToJsonIf(hasVoxels, input.image.size) },
            { "spacing", ToJsonIf(hasVoxels, input.image.spacing) },
+           { "unit", ToJsonIf(!input.image.unit.empty(), input.image.unit) },
            { "exteriorLabel", input.extracted.exteriorLabel },
            { "exteriorLabels", junctions.exteriorLabels },
            { "droppedLabels", input.extracted.droppedLabels },
