@@ -10,6 +10,7 @@
 #include "TissueTessellationCore/Points/BlobSelection.h"
 #include "itkContinuousIndex.h"
 #include "itkImage.h"
+#include "itkImageNoiseCalculator.h"
 #include "itkImageToImageFilter.h"
 #include "itkPointSet.h"
 #include "itkProcessObject.h"
@@ -37,6 +38,11 @@ class DifferenceOfGaussiansNeighborhood;
  * voxel that exceeds its 80 neighbours in space and scale, of which fewer exist on the border, is a blob. Its position
  * and scale come from the parabola through these. Long things (tubes, ridges, flat walls) are rejected by the ratio of
  * the Hessian's eigenvalues. Of two blobs that overlap the weaker is dropped.
+ *
+ * Where no threshold is given, a blob's response must be so many times the deviation of what the image's noise makes at
+ * its scale (ImageNoiseCalculator, tissue::NoiseResponse) that noise alone has no blobs (tissue::LeastBlobEvidence).
+ * Noise that is not independent from voxel to voxel has some; but then the inverse image has blobs as strong
+ * (tissue::AreBlobsWeak): those are left that are stronger than all of the inverse, and HasWeakEvidence() is on.
  *
  * The smoothed image of a level makes that of the next, by ITK's recursive Gaussian filter, or by its discrete one
  * where a deviation is below 0.6 voxels. Once a level is smooth along an axis, with a deviation of two voxels, every
@@ -84,8 +90,9 @@ public:
   GetOutput() const;
 
   /** The scales of the smallest and the largest blobs, which are standard deviations in physical units. Where both are
-   * 0, the default, they are found from the maxima at all scales, from a voxel to a sixth of the image's shortest side
-   * (tissue::ChooseBlobScales). */
+   * 0, the default, they are found from the maxima at all scales, from a voxel, or half a voxel of an image without
+   * noise, to a sixth of the image's shortest side (tissue::ChooseBlobScales), and so are blobs of a second size
+   * (tissue::FindBlobsOfOtherSizes). */
   itkSetMacro(MinimumScale, double);
   itkGetConstMacro(MinimumScale, double);
   itkSetMacro(MaximumScale, double);
@@ -106,7 +113,7 @@ public:
   itkGetConstMacro(Threshold, double);
 
   /** The least response of a blob relative to the greatest, below 1. Where it is not positive, the threshold is found
-   * from the responses of all maxima (tissue::ChooseBlobThreshold). The default is 0. */
+   * from the noise and from the responses of all maxima (tissue::ChooseBlobThreshold). The default is 0. */
   itkSetMacro(RelativeThreshold, double);
   itkGetConstMacro(RelativeThreshold, double);
 
@@ -127,6 +134,13 @@ public:
   itkGetConstMacro(UsedThreshold, double);
   itkGetConstMacro(UsedMinimumScale, double);
   itkGetConstMacro(UsedMaximumScale, double);
+
+  /** The standard deviation of the image's noise, as estimated, in units of the image. It is valid after the update. */
+  itkGetConstMacro(Noise, double);
+
+  /** Tells whether no threshold was given and the inverse image has blobs as strong, so that these may be noise. It is
+   * valid after the update. */
+  itkGetConstMacro(HasWeakEvidence, bool);
 
   /** The scale and response of every blob, a copy of the output's point data as one flat array, which is valid after
    * the update. In Python it becomes a NumPy array:
@@ -165,9 +179,29 @@ private:
   using Window = std::array<RealImagePointer, 4>;
   using IndexType = typename RealImageType::IndexType;
 
+  /** What was found in the scale space, in an order that depends on the threads. */
+  struct Maxima
+  {
+    std::vector<tissue::Blob> blobs;
+    /** Those of the inverse image that noise does not have, where no threshold is given. */
+    std::vector<tissue::Blob> inverse;
+  };
+  /** A level of the scale space, with what is the same for all of its voxels. */
+  struct Level
+  {
+    double scale;
+    double step;
+    /** Of noise of deviation 1. */
+    double noiseResponse;
+  };
+
   /** Copies the input to an image in which blobs are bright. */
   RealImagePointer
   ConvertInput() const;
+
+  /** Estimates the noise, and whether there is any. */
+  void
+  EstimateNoise(const RealImageType * image);
 
   RealImagePointer
   Smooth(RealImagePointer image, double deviation);
@@ -187,29 +221,65 @@ private:
   {
     return m_MinimumScale > 0.0;
   }
+  bool
+  HasThreshold() const
+  {
+    return m_Threshold > 0.0 || m_RelativeThreshold > 0.0;
+  }
   /** The scales to look at. */
   tissue::BlobScaleRange
   GetSearchedScales() const;
 
-  /** All maxima of the scale space that are blobs, in an order that depends on the threads. */
-  std::vector<tissue::Blob>
-  FindMaxima(const tissue::BlobScaleRange & scales);
+  /** Finds all maxima of the scale space that are blobs. */
+  Maxima
+  FindMaxima(RealImagePointer image, const tissue::BlobScaleRange & scales);
 
-  /** Appends the maxima of the middle level, in an order that depends on the threads. */
+  /** Appends the maxima of the middle level. */
   void
-  CollectMaxima(const Window & window, double scale, double step, std::vector<tissue::Blob> & blobs);
+  CollectMaxima(const Window & window, double scale, double step, Maxima & maxima);
+
+  /** Appends the blob of a voxel, if it is one. */
+  void
+  AppendBlob(const RealImageType * image, const DifferenceOfGaussiansNeighborhood & difference, const IndexType & index,
+             const Level & level, std::vector<tissue::Blob> & blobs) const;
 
   /** Fits the parabola to a maximum and makes a blob of it. Returns false where it is not one. */
   bool
   FitBlob(const RealImageType * image, const DifferenceOfGaussiansNeighborhood & difference, const IndexType & index,
-          double scale, double step, tissue::Blob & blob) const;
+          const Level & level, tissue::Blob & blob) const;
+
+  /** The deviation of the response of noise where a blob is. */
+  double
+  NoiseAt(const tissue::Blob & blob, const Level & level) const;
+
   bool
   IsRound(const vnl_matrix_fixed<double, 4, 4> & hessian, const typename RealImageType::SpacingType & spacing) const;
   bool
   IsWithinMargin(const Point<double, 3> & position) const;
 
+  /** Tells whether noise does not have such a blob. */
+  bool
+  IsCertain(const tissue::Blob & blob) const;
+
+  /** The given scales, or those that the maxima tell. */
+  tissue::BlobScaleRange
+  ChooseScales(const std::vector<tissue::Blob> & maxima) const;
+
+  /** Drops maxima of other scales and those that overlap stronger ones. The others come by falling response. */
   std::vector<tissue::Blob>
-  SelectBlobs(std::vector<tissue::Blob> blobs);
+  TakeScales(std::vector<tissue::Blob> maxima, const tissue::BlobScaleRange & scales) const;
+
+  /** The threshold of blobs, which noise does not have and which are in order, as all maxima tell it. */
+  double
+  ChooseThreshold(const std::vector<tissue::Blob> & blobs, const std::vector<tissue::Blob> & maxima) const;
+
+  /** Adds the blobs of a second size, which come from all maxima. */
+  void
+  AddOtherSizes(const std::vector<tissue::Blob> & maxima, std::vector<tissue::Blob> & blobs);
+
+  /** Leaves blobs that are stronger than those of the inverse image, where most are not. */
+  void
+  CompareWithInverse(const std::vector<tissue::Blob> & inverse, std::vector<tissue::Blob> & blobs);
 
   void
   SetBlobs(const std::vector<tissue::Blob> & blobs);
@@ -226,6 +296,11 @@ private:
   double       m_UsedThreshold = 0.0;
   double       m_UsedMinimumScale = 0.0;
   double       m_UsedMaximumScale = 0.0;
+  double       m_Noise = 0.0;
+  bool         m_IsNoisy = false;
+  bool         m_HasWeakEvidence = false;
+
+  typename ImageNoiseCalculator<RealImageType>::Pointer m_NoiseCalculator;
 };
 } // namespace itk
 

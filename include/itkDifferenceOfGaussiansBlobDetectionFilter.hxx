@@ -9,7 +9,9 @@
 
 #include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
 
+#include "TissueTessellationCore/Points/BlobNoise.h"
 #include "itkContinuousIndex.h"
+#include "itkDifferenceOfGaussiansNeighborhood.h"
 #include "itkGaussianOperator.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIterator.h"
@@ -29,83 +31,6 @@
 
 namespace itk
 {
-/** \brief The difference of smoothed images around a voxel, in steps of voxels and levels. Beyond the border of the
- * image it goes on as it is on the border, as in the Gaussian filters. */
-class DifferenceOfGaussiansNeighborhood
-{
-public:
-  using ImageType = Image<float, 3>;
-  using Step = std::array<int, 4>;
-
-  DifferenceOfGaussiansNeighborhood(const std::array<ImageType::Pointer, 4> & window, const Index<3> & index)
-    : m_Strides(window[0]->GetOffsetTable())
-  {
-    const auto            region = window[0]->GetBufferedRegion();
-    const OffsetValueType offset = window[0]->ComputeOffset(index);
-    std::transform(window.begin(), window.end(), m_Voxels.begin(), [offset](const ImageType * image) {
-      return image->GetBufferPointer() + offset;
-    });
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const auto step = index[axis] - region.GetIndex(axis);
-      m_IsFirst[axis] = step == 0;
-      m_IsLast[axis] = step + 1 == static_cast<IndexValueType>(region.GetSize(axis));
-    }
-  }
-
-  /** Tells whether a step of one leaves the image. */
-  bool
-  Leaves(std::size_t axis, int step) const
-  {
-    return (step < 0 && m_IsFirst[axis]) || (step > 0 && m_IsLast[axis]);
-  }
-
-  double
-  operator()(const Step & step) const
-  {
-    OffsetValueType offset = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      offset += this->Leaves(axis, step[axis]) ? 0 : step[axis] * m_Strides[axis];
-    }
-    const auto level = static_cast<std::size_t>(1 + step[3]);
-    return m_Voxels[level][offset] - m_Voxels[level + 1][offset];
-  }
-
-  /** Tells whether the middle is above its 80 neighbours. Of equal ones the first in raster order is. */
-  bool
-  IsMaximum() const
-  {
-    const double middle = (*this)({ { 0, 0, 0, 0 } });
-    for (const int level : { 0, -1, 1 })
-    {
-      // Most voxels fail on the slope that they lie on, whatever its direction.
-      for (const int i :
-           { 12, 14, 10, 16, 4, 22, 0, 1, 2, 3, 5, 6, 7, 8, 9, 11, 13, 15, 17, 18, 19, 20, 21, 23, 24, 25, 26 })
-      {
-        const Step step{ { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1, level } };
-        if ((level == 0 && i == 13) || this->Leaves(0, step[0]) || this->Leaves(1, step[1]) || this->Leaves(2, step[2]))
-        {
-          continue;
-        }
-        const double other = (*this)(step);
-        const bool   isBefore = level < 0 || (level == 0 && i < 13);
-        if ((isBefore ? other >= middle : other > middle))
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-private:
-  std::array<const float *, 4> m_Voxels{};
-  const OffsetValueType *      m_Strides;
-  std::array<bool, 3>          m_IsFirst{};
-  std::array<bool, 3>          m_IsLast{};
-};
-
 template <typename TInputImage>
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::DifferenceOfGaussiansBlobDetectionFilter()
 {
@@ -196,9 +121,10 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GetSearchedScales() const
   }
   if (!this->HasScales())
   {
-    // The ball that answers at this scale is already more than half as wide as the shortest side.
+    // The ball that answers at this scale is already more than half as wide as the shortest side. A single voxel
+    // answers at half a voxel, but in noise it tells nothing.
     constexpr double largestShare = 1.0 / 6.0;
-    return { finest, std::max(finest, largestShare * shortest) };
+    return { m_IsNoisy ? finest : 0.5 * finest, std::max(finest, largestShare * shortest) };
   }
   if (m_MinimumScale < 0.5 * finest)
   {
@@ -242,6 +168,21 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::ConvertInput() const -> R
     itkExceptionMacro(<< "All pixels are " << static_cast<double>(first) << ": there is nothing to find.");
   }
   return image;
+}
+
+template <typename TInputImage>
+void
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::EstimateNoise(const RealImageType * image)
+{
+  // The second differences of an image without noise may be as much as this of its range.
+  constexpr double mostOfSmoothness = 1e-3;
+  m_NoiseCalculator = ImageNoiseCalculator<RealImageType>::New();
+  m_NoiseCalculator->SetImage(image);
+  m_NoiseCalculator->Compute();
+  m_Noise = m_NoiseCalculator->GetDeviation();
+  const float * const begin = image->GetBufferPointer();
+  const auto [least, most] = std::minmax_element(begin, begin + image->GetBufferedRegion().GetNumberOfPixels());
+  m_IsNoisy = m_Noise > mostOfSmoothness * (static_cast<double>(*most) - *least);
 }
 
 template <typename TInputImage>
@@ -351,25 +292,127 @@ template <typename TInputImage>
 void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::GenerateData()
 {
-  tissue::BlobScaleRange    scales = this->GetSearchedScales();
-  std::vector<tissue::Blob> blobs = this->FindMaxima(scales);
-  if (!this->HasScales())
-  {
-    scales = tissue::ChooseBlobScales(blobs);
-    const auto isOther = [&scales](const tissue::Blob & blob) {
-      return blob.scale < scales.minimum || blob.scale > scales.maximum;
-    };
-    blobs.erase(std::remove_if(blobs.begin(), blobs.end(), isOther), blobs.end());
-  }
+  const RealImagePointer image = this->ConvertInput();
+  this->EstimateNoise(image);
+  const Maxima              maxima = this->FindMaxima(image, this->GetSearchedScales());
+  std::vector<tissue::Blob> certain;
+  const auto isCertain = [this](const tissue::Blob & blob) { return this->HasThreshold() || this->IsCertain(blob); };
+  std::copy_if(maxima.blobs.begin(), maxima.blobs.end(), std::back_inserter(certain), isCertain);
+
+  const tissue::BlobScaleRange scales = this->ChooseScales(certain);
+  std::vector<tissue::Blob>    blobs = this->TakeScales(certain, scales);
   m_UsedMinimumScale = scales.minimum;
   m_UsedMaximumScale = scales.maximum;
-  this->SetBlobs(this->SelectBlobs(std::move(blobs)));
+  m_UsedThreshold = this->ChooseThreshold(blobs, maxima.blobs);
+  const auto isWeak = [this](const tissue::Blob & blob) { return blob.response < m_UsedThreshold; };
+  blobs.erase(std::find_if(blobs.begin(), blobs.end(), isWeak), blobs.end());
+  if (!this->HasScales())
+  {
+    this->AddOtherSizes(certain, blobs);
+  }
+  if (!this->HasThreshold())
+  {
+    blobs = tissue::RemoveOutshoneBlobs(std::move(blobs));
+  }
+  this->CompareWithInverse(this->TakeScales(maxima.inverse, scales), blobs);
+  this->SetBlobs(blobs);
+  m_NoiseCalculator = nullptr;
   this->UpdateProgress(1.0f);
 }
 
 template <typename TInputImage>
+bool
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::IsCertain(const tissue::Blob & blob) const
+{
+  const auto * const image = this->GetInput();
+  const auto         spacing = image->GetSpacing();
+  const double       voxel = spacing[0] * spacing[1] * spacing[2];
+  const double       volume = voxel * static_cast<double>(image->GetLargestPossibleRegion().GetNumberOfPixels());
+  const double       places = volume / std::max(voxel, std::pow(blob.scale, 3));
+  return blob.response > tissue::LeastBlobEvidence(places) * blob.noise;
+}
+
+template <typename TInputImage>
+tissue::BlobScaleRange
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::ChooseScales(const std::vector<tissue::Blob> & maxima) const
+{
+  return this->HasScales() ? this->GetSearchedScales() : tissue::ChooseBlobScales(maxima);
+}
+
+template <typename TInputImage>
 std::vector<tissue::Blob>
-DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::BlobScaleRange & scales)
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::TakeScales(std::vector<tissue::Blob>      maxima,
+                                                                  const tissue::BlobScaleRange & scales) const
+{
+  // Where the scales are given, the parabola may lead a little beyond.
+  const auto isOther = [&scales](const tissue::Blob & blob) {
+    return blob.scale < scales.minimum || blob.scale > scales.maximum;
+  };
+  if (!this->HasScales())
+  {
+    maxima.erase(std::remove_if(maxima.begin(), maxima.end(), isOther), maxima.end());
+  }
+  return tissue::RemoveOverlappingBlobs(std::move(maxima), m_MaximumOverlap);
+}
+
+template <typename TInputImage>
+double
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::ChooseThreshold(const std::vector<tissue::Blob> & blobs,
+                                                                       const std::vector<tissue::Blob> & maxima) const
+{
+  // A weaker blob never drops a stronger one of those that overlap, so that the threshold may come after this.
+  if (m_Threshold > 0.0)
+  {
+    return m_Threshold;
+  }
+  if (m_RelativeThreshold > 0.0)
+  {
+    return blobs.empty() ? 0.0 : m_RelativeThreshold * blobs.front().response;
+  }
+  return tissue::ChooseBlobThreshold(blobs, this->TakeScales(maxima, this->ChooseScales(maxima)));
+}
+
+template <typename TInputImage>
+void
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::AddOtherSizes(const std::vector<tissue::Blob> & maxima,
+                                                                     std::vector<tissue::Blob> &       blobs)
+{
+  const tissue::BlobScaleRange scales{ m_UsedMinimumScale, m_UsedMaximumScale };
+  for (const tissue::Blob & blob : tissue::FindBlobsOfOtherSizes(maxima, blobs, scales, m_MaximumOverlap))
+  {
+    if (!this->HasThreshold() || blob.response >= m_UsedThreshold)
+    {
+      m_UsedMinimumScale = std::min(m_UsedMinimumScale, blob.scale);
+      m_UsedMaximumScale = std::max(m_UsedMaximumScale, blob.scale);
+      blobs.push_back(blob);
+    }
+  }
+  // A larger blob takes the place of weaker ones that it overlaps, and all are put in order.
+  blobs = tissue::RemoveOverlappingBlobs(std::move(blobs), m_MaximumOverlap);
+  if (!blobs.empty())
+  {
+    m_UsedThreshold = std::min(m_UsedThreshold, blobs.back().response);
+  }
+}
+
+template <typename TInputImage>
+void
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::CompareWithInverse(const std::vector<tissue::Blob> & inverse,
+                                                                          std::vector<tissue::Blob> &       blobs)
+{
+  m_HasWeakEvidence = tissue::AreBlobsWeak(blobs, inverse);
+  if (m_HasWeakEvidence)
+  {
+    m_UsedThreshold = std::max(m_UsedThreshold, inverse.front().response);
+    const auto isWeak = [this](const tissue::Blob & blob) { return blob.response <= m_UsedThreshold; };
+    blobs.erase(std::remove_if(blobs.begin(), blobs.end(), isWeak), blobs.end());
+  }
+}
+
+template <typename TInputImage>
+auto
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(RealImagePointer               image,
+                                                                  const tissue::BlobScaleRange & scales) -> Maxima
 {
   // Smooth image after image, each from the one before, and keep the last four: the maxima of the middle one of their
   // three differences are collected.
@@ -378,10 +421,10 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::
     1 + static_cast<unsigned int>(std::ceil(m_StepsPerOctave * std::log2(scales.maximum / scales.minimum) - 1e-9));
   const unsigned int numberOfImages = numberOfLevels + 3;
   // Levels are at the geometric means of their two deviations. One level more on each side shows what is a maximum.
-  double                    deviation = scales.minimum / std::pow(step, 1.5);
-  std::vector<tissue::Blob> blobs;
-  Window                    window;
-  window[3] = this->Smooth(this->ConvertInput(), deviation);
+  double deviation = scales.minimum / std::pow(step, 1.5);
+  Maxima maxima;
+  Window window;
+  window[3] = this->Smooth(std::move(image), deviation);
   for (unsigned int i = 1; i < numberOfImages; ++i)
   {
     this->UpdateProgress(static_cast<float>(i) / static_cast<float>(numberOfImages));
@@ -392,45 +435,52 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FindMaxima(const tissue::
     const double scale = deviation / std::pow(step, 1.5);
     if (i >= 3)
     {
-      this->CollectMaxima(window, scale, step, blobs);
+      this->CollectMaxima(window, scale, step, maxima);
     }
     // A blob between two levels may look like a maximum of one in fine voxels and of the other in coarse ones. So it is
     // looked for in both.
     if (this->HalveWhereSmooth(window, deviation / (step * step)) && i >= 3)
     {
-      this->CollectMaxima(window, scale, step, blobs);
+      this->CollectMaxima(window, scale, step, maxima);
     }
   }
-  return blobs;
+  return maxima;
 }
 
 template <typename TInputImage>
 void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::CollectMaxima(const Window & window, double scale, double step,
-                                                                     std::vector<tissue::Blob> & blobs)
+                                                                     Maxima & maxima)
 {
-  // Only voxels where the difference is positive can be blobs. Each region collects its own; then they are joined.
+  // Only voxels where the difference is positive can be blobs, and those where it is negative of the inverse. Each
+  // region collects its own; then they are joined.
+  const auto     spacing = this->GetInput()->GetSpacing();
+  const Level    level{ scale, step, tissue::NoiseResponse(scale, step, { { spacing[0], spacing[1], spacing[2] } }) };
   std::mutex     mutex;
   WorkUnitErrors errors;
   const auto     collect = [&](const RealImageType::RegionType & region) {
     errors.Run([&]() {
-      std::vector<tissue::Blob>               found;
+      Maxima                                  found;
       ImageRegionConstIterator<RealImageType> fine(window[1], region);
       ImageRegionConstIterator<RealImageType> coarse(window[2], region);
       for (; !fine.IsAtEnd(); ++fine, ++coarse)
       {
+        const auto index = fine.GetIndex();
         if (fine.Get() > coarse.Get())
         {
-          const DifferenceOfGaussiansNeighborhood difference(window, fine.GetIndex());
-          tissue::Blob                            blob;
-          if (difference.IsMaximum() && this->FitBlob(window[1], difference, fine.GetIndex(), scale, step, blob))
-          {
-            found.push_back(blob);
-          }
+          this->AppendBlob(window[1], DifferenceOfGaussiansNeighborhood(window, index), index, level, found.blobs);
+        }
+        else if (fine.Get() < coarse.Get() && !this->HasThreshold())
+        {
+          const DifferenceOfGaussiansNeighborhood inverse(window, index, -1.0f);
+          this->AppendBlob(window[1], inverse, index, level, found.inverse);
         }
       }
+      const auto isNoise = [this](const tissue::Blob & blob) { return !this->IsCertain(blob); };
+      found.inverse.erase(std::remove_if(found.inverse.begin(), found.inverse.end(), isNoise), found.inverse.end());
       const std::lock_guard<std::mutex> lock(mutex);
-      blobs.insert(blobs.end(), found.begin(), found.end());
+      maxima.blobs.insert(maxima.blobs.end(), found.blobs.begin(), found.blobs.end());
+      maxima.inverse.insert(maxima.inverse.end(), found.inverse.begin(), found.inverse.end());
     });
   };
   this->GetMultiThreader()->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
@@ -439,10 +489,47 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::CollectMaxima(const Windo
 }
 
 template <typename TInputImage>
+void
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::AppendBlob(const RealImageType *                     image,
+                                                                  const DifferenceOfGaussiansNeighborhood & difference,
+                                                                  const IndexType & index, const Level & level,
+                                                                  std::vector<tissue::Blob> & blobs) const
+{
+  tissue::Blob blob;
+  if (difference.IsMaximum() && this->FitBlob(image, difference, index, level, blob))
+  {
+    blob.noise = this->NoiseAt(blob, level);
+    blobs.push_back(blob);
+  }
+}
+
+template <typename TInputImage>
+double
+DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::NoiseAt(const tissue::Blob & blob, const Level & level) const
+{
+  const InputImageType *     input = this->GetInput();
+  const auto                 region = input->GetLargestPossibleRegion();
+  const auto                 spacing = input->GetSpacing();
+  ContinuousIndex<double, 3> place;
+  input->TransformPhysicalPointToContinuousIndex(Point<double, 3>(blob.position.data()), place);
+  IndexType index;
+  double    border = 1.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double first = static_cast<double>(region.GetIndex(axis));
+    const double last = first + static_cast<double>(region.GetSize(axis)) - 1.0;
+    const double distance = std::max(std::min(place[axis] - first, last - place[axis]), 0.0);
+    border *= tissue::BorderNoise(distance, level.scale / spacing[axis]);
+    index[axis] = Math::Round<IndexValueType>(place[axis]);
+  }
+  return std::max(m_Noise, m_NoiseCalculator->GetLocalDeviation(index)) * level.noiseResponse * border;
+}
+
+template <typename TInputImage>
 bool
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FitBlob(const RealImageType *                     image,
                                                                const DifferenceOfGaussiansNeighborhood & difference,
-                                                               const IndexType & index, double scale, double step,
+                                                               const IndexType & index, const Level & level,
                                                                tissue::Blob & blob) const
 {
   // The gradient and the Hessian, by central differences along x, y, z and scale, give the parabola through the
@@ -498,8 +585,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::FitBlob(const RealImageTy
   Point<double, 3> position;
   image->TransformContinuousIndexToPhysicalPoint(place, position);
   std::copy_n(position.Begin(), 3, blob.position.begin());
-  blob.scale = scale * std::pow(step, offset[3]);
-  blob.response = (middle + 0.5 * dot_product(gradient, offset)) / std::log(step);
+  blob.scale = level.scale * std::pow(level.step, offset[3]);
+  blob.response = (middle + 0.5 * dot_product(gradient, offset)) / std::log(level.step);
   return this->IsWithinMargin(position);
 }
 
@@ -546,34 +633,6 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::IsWithinMargin(const Poin
 }
 
 template <typename TInputImage>
-std::vector<tissue::Blob>
-DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::SelectBlobs(std::vector<tissue::Blob> blobs)
-{
-  // A weaker blob never drops a stronger one, so that the threshold may come after this.
-  blobs = tissue::RemoveOverlappingBlobs(std::move(blobs), m_MaximumOverlap);
-  if (m_Threshold > 0.0)
-  {
-    m_UsedThreshold = m_Threshold;
-  }
-  else if (m_RelativeThreshold > 0.0)
-  {
-    m_UsedThreshold = blobs.empty() ? 0.0 : m_RelativeThreshold * blobs.front().response;
-  }
-  else
-  {
-    std::vector<double> responses;
-    for (const tissue::Blob & blob : blobs)
-    {
-      responses.push_back(blob.response);
-    }
-    m_UsedThreshold = tissue::ChooseBlobThreshold(std::move(responses));
-  }
-  const auto isWeak = [this](const tissue::Blob & blob) { return blob.response < m_UsedThreshold; };
-  blobs.erase(std::find_if(blobs.begin(), blobs.end(), isWeak), blobs.end());
-  return blobs;
-}
-
-template <typename TInputImage>
 void
 DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::SetBlobs(const std::vector<tissue::Blob> & blobs)
 {
@@ -610,6 +669,8 @@ DifferenceOfGaussiansBlobDetectionFilter<TInputImage>::PrintSelf(std::ostream & 
   os << indent << "UsedThreshold: " << m_UsedThreshold << std::endl;
   os << indent << "UsedMinimumScale: " << m_UsedMinimumScale << std::endl;
   os << indent << "UsedMaximumScale: " << m_UsedMaximumScale << std::endl;
+  os << indent << "Noise: " << m_Noise << std::endl;
+  os << indent << "HasWeakEvidence: " << m_HasWeakEvidence << std::endl;
 }
 } // namespace itk
 

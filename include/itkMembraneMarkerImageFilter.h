@@ -11,14 +11,17 @@
 #include "itkImageToImageFilter.h"
 #include "itkSmoothedLevels.h"
 
+#include <vector>
+
 namespace itk
 {
 /** \class MembraneMarkerImageFilter
- * \brief Finds a marker for each cell, and one for the exterior, in an image of bright cell membranes.
+ * \brief Finds a marker for each cell, and one for the exterior, in an image of cell membranes.
  *
  * Input: a three-dimensional scalar image of any pixel type. Output: 0 where nothing is marked, 1 in the exterior, and
- * a number from 2 on at each minimum of the smoothed image that is at least MinimumDepth deep, in raster order of their
- * first voxels.
+ * a number from 2 on at each minimum of the smoothed image that is at least MinimumDepth deep, and NoiseDepth times the
+ * deviation of what the smoothing leaves of the image's noise (ImageNoiseCalculator), in raster order of their first
+ * voxels. Dark membranes are those of the inverse image.
  *
  * The exterior is the opening of the dark part of the smoothed image (by Otsu's threshold) by a ball of twice the
  * cells' diameter, which is larger than any cell. The cells' diameter is that of a ball as large as the median basin of
@@ -46,6 +49,12 @@ public:
   itkNewMacro(Self);
   itkTypeMacro(MembraneMarkerImageFilter, ImageToImageFilter);
 
+  /** Tells whether the membranes are darker than the cells, as in bright field, instead of brighter; the exterior is
+   * bright then. The default is off. */
+  itkSetMacro(DarkMembranes, bool);
+  itkGetConstMacro(DarkMembranes, bool);
+  itkBooleanMacro(DarkMembranes);
+
   /** The standard deviation of the smoothing, in physical units. 0, the default, stands for the edge of a cube that has
    * the volume of a voxel. */
   itkSetClampMacro(Sigma, double, 0.0, NumericTraits<double>::max());
@@ -57,10 +66,21 @@ public:
   itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
   itkGetConstMacro(MinimumDepth, double);
 
+  /** The least depth of a minimum, over the deviation of the noise of the smoothed image. The default is 5. */
+  itkSetClampMacro(NoiseDepth, double, 0.0, NumericTraits<double>::max());
+  itkGetConstMacro(NoiseDepth, double);
+
   /** How far the exterior's marker stays from the exterior's boundary, over the cells' diameter. The default is 0.25.
    */
   itkSetClampMacro(ExteriorMargin, double, 0.0, 1e6);
   itkGetConstMacro(ExteriorMargin, double);
+
+  /** The standard deviation of the image's noise, as estimated, in units of the image. It is valid after the update. */
+  itkGetConstMacro(Noise, double);
+
+  /** The least depth that was used, over the range of the intensities of the smoothed image: the larger one of
+   * MinimumDepth and that of the noise. It is valid after the update. */
+  itkGetConstMacro(UsedDepth, double);
 
   /** The number of minima that mark cells. It is valid after the update. */
   itkGetConstMacro(NumberOfCells, SizeValueType);
@@ -88,6 +108,10 @@ private:
   using DistanceImageType = Image<float, 3>;
   using MaskImageType = Image<unsigned char, 3>;
 
+  /** Estimates the noise, and what is the least depth of a minimum in levels smoothed by `sigma`. */
+  void
+  ChooseDepth(const SmoothedLevels & levels, double sigma);
+
   /** Numbers the minima from 1 on. */
   typename MarkerImageType::Pointer
   FindMinima(const LevelImageType * levels) const;
@@ -105,13 +129,23 @@ private:
   typename DistanceImageType::Pointer
   ComputeDistanceToEmptiness(const LevelImageType * levels, double radius) const;
 
-  /** Numbers the markers in raster order. A minimum within `radius` of emptiness does not mark a cell. */
+  /** Tells for each minimum whether it marks a cell. One within `radius` of emptiness does not, nor one that is larger
+   * than two cells and reaches so far into the exterior that it is marked: noise there is filled up to a minimum.
+   */
+  std::vector<char>
+  FindCells(const MarkerImageType * minima, const DistanceImageType * toEmptiness, double radius, double margin) const;
+
+  /** Numbers the markers of the cells in raster order, and marks the exterior. */
   void
   WriteMarkers(const MarkerImageType * minima, const DistanceImageType * toEmptiness, double radius, double margin);
 
+  bool          m_DarkMembranes = false;
   double        m_Sigma = 0.0;
   double        m_MinimumDepth = 0.015;
+  double        m_NoiseDepth = 5.0;
   double        m_ExteriorMargin = 0.25;
+  double        m_Noise = 0.0;
+  double        m_UsedDepth = 0.0;
   SizeValueType m_NumberOfCells = 0;
   bool          m_HasExterior = false;
 };

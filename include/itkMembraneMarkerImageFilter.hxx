@@ -9,9 +9,11 @@
 
 #include "itkMembraneMarkerImageFilter.h"
 
+#include "TissueTessellationCore/Points/BlobNoise.h"
 #include "itkBinaryThresholdImageFilter.h"
 #include "itkConnectedComponentImageFilter.h"
 #include "itkHMinimaImageFilter.h"
+#include "itkImageNoiseCalculator.h"
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIterator.h"
 #include "itkMorphologicalWatershedFromMarkersImageFilter.h"
@@ -41,13 +43,26 @@ MembraneMarkerImageFilter<TMembraneImage>::EnlargeOutputRequestedRegion(DataObje
 }
 
 template <typename TMembraneImage>
+void
+MembraneMarkerImageFilter<TMembraneImage>::ChooseDepth(const SmoothedLevels & levels, double sigma)
+{
+  const auto calculator = ImageNoiseCalculator<MembraneImageType>::New();
+  calculator->SetImage(this->GetInput());
+  calculator->Compute();
+  m_Noise = calculator->GetDeviation();
+  const auto   spacing = this->GetInput()->GetSpacing();
+  const double left = m_Noise * tissue::SmoothedNoise(sigma, { { spacing[0], spacing[1], spacing[2] } });
+  m_UsedDepth = std::clamp(m_NoiseDepth * left * levels.levelsPerUnit / 65535.0, m_MinimumDepth, 1.0);
+}
+
+template <typename TMembraneImage>
 auto
 MembraneMarkerImageFilter<TMembraneImage>::FindMinima(const LevelImageType * levels) const ->
   typename MarkerImageType::Pointer
 {
   const auto fill = HMinimaImageFilter<LevelImageType, LevelImageType>::New();
   fill->SetInput(levels);
-  fill->SetHeight(static_cast<LevelImageType::PixelType>(std::max(1.0, std::round(m_MinimumDepth * 65535.0))));
+  fill->SetHeight(static_cast<LevelImageType::PixelType>(std::max(1.0, std::round(m_UsedDepth * 65535.0))));
   const auto minima = RegionalMinimaImageFilter<LevelImageType, MaskImageType>::New();
   minima->SetInput(fill->GetOutput());
   minima->SetFullyConnected(true);
@@ -126,29 +141,58 @@ MembraneMarkerImageFilter<TMembraneImage>::ComputeDistanceToEmptiness(const Leve
 }
 
 template <typename TMembraneImage>
+std::vector<char>
+MembraneMarkerImageFilter<TMembraneImage>::FindCells(const MarkerImageType *   minima,
+                                                     const DistanceImageType * toEmptiness, double radius,
+                                                     double margin) const
+{
+  struct Minimum
+  {
+    SizeValueType numberOfVoxels = 0;
+    bool          isBeyond = false;
+    bool          isExterior = false;
+  };
+  const auto                                  region = minima->GetLargestPossibleRegion();
+  ImageRegionConstIterator<MarkerImageType>   minimum(minima, region);
+  ImageRegionConstIterator<DistanceImageType> distance(toEmptiness, region);
+  std::vector<Minimum>                        found;
+  for (; !minimum.IsAtEnd(); ++minimum, ++distance)
+  {
+    found.resize(std::max<std::size_t>(found.size(), minimum.Get() + 1));
+    Minimum & current = found[minimum.Get()];
+    ++current.numberOfVoxels;
+    current.isBeyond = current.isBeyond || distance.Get() >= radius;
+    current.isExterior = current.isExterior || distance.Get() < radius - margin;
+  }
+  const auto        spacing = minima->GetSpacing();
+  constexpr double  largest = 2.0; // Cells of a tissue may differ that much.
+  const double      cell = Math::pi / 6.0 * std::pow(radius, 3) / (spacing[0] * spacing[1] * spacing[2]);
+  std::vector<char> isCell(found.size(), 0);
+  for (std::size_t m = 1; m < found.size(); ++m)
+  {
+    const bool isLarge = static_cast<double>(found[m].numberOfVoxels) > largest * cell;
+    isCell[m] = found[m].isBeyond && !(found[m].isExterior && isLarge) ? 1 : 0;
+  }
+  return isCell;
+}
+
+template <typename TMembraneImage>
 void
 MembraneMarkerImageFilter<TMembraneImage>::WriteMarkers(const MarkerImageType *   minima,
                                                         const DistanceImageType * toEmptiness, double radius,
                                                         double margin)
 {
-  // A minimum is a cell's if one of its voxels is far enough from emptiness. A second pass numbers these by their first
-  // voxels, and marks as exterior what is nearer to emptiness than the radius less the margin.
+  // A second pass numbers the minima of cells by their first voxels, and marks as exterior what is nearer to emptiness
+  // than the radius less the margin.
   MarkerImageType * const output = this->GetOutput();
   const auto              region = output->GetLargestPossibleRegion();
+  const std::vector<char> isCell = this->FindCells(minima, toEmptiness, radius, margin);
 
   ImageRegionConstIterator<MarkerImageType>   minimum(minima, region);
   ImageRegionConstIterator<DistanceImageType> distance(toEmptiness, region);
-  std::vector<char>                           isCell;
-  for (; !minimum.IsAtEnd(); ++minimum, ++distance)
-  {
-    isCell.resize(std::max<std::size_t>(isCell.size(), minimum.Get() + 1), 0);
-    isCell[minimum.Get()] = isCell[minimum.Get()] || (minimum.Get() > 0 && distance.Get() >= radius);
-  }
-  std::vector<std::uint32_t> numbers(isCell.size(), 0);
+  std::vector<std::uint32_t>                  numbers(isCell.size(), 0);
   m_NumberOfCells = 0;
   m_HasExterior = false;
-  minimum.GoToBegin();
-  distance.GoToBegin();
   for (ImageRegionIterator<MarkerImageType> it(output, region); !it.IsAtEnd(); ++it, ++minimum, ++distance)
   {
     const std::uint32_t m = minimum.Get();
@@ -169,10 +213,12 @@ MembraneMarkerImageFilter<TMembraneImage>::GenerateData()
   this->AllocateOutputs();
   const MembraneImageType * input = this->GetInput();
   RequireVaryingFinitePixels(input);
-  const auto                        spacing = input->GetSpacing();
-  const double                      sigma = m_Sigma > 0.0 ? m_Sigma : std::cbrt(spacing[0] * spacing[1] * spacing[2]);
-  const LevelImageType::Pointer     levels = MakeSmoothedLevels(input, sigma, this->GetNumberOfWorkUnits());
-  typename MarkerImageType::Pointer minima = this->FindMinima(levels);
+  const auto           spacing = input->GetSpacing();
+  const double         sigma = m_Sigma > 0.0 ? m_Sigma : std::cbrt(spacing[0] * spacing[1] * spacing[2]);
+  const SmoothedLevels smoothed = MakeSmoothedLevels(input, sigma, m_DarkMembranes, this->GetNumberOfWorkUnits());
+  this->ChooseDepth(smoothed, sigma);
+  const LevelImageType * const            levels = smoothed.image;
+  const typename MarkerImageType::Pointer minima = this->FindMinima(levels);
   this->UpdateProgress(0.4f);
   const double cellDiameter = this->EstimateCellDiameter(levels, minima);
   this->UpdateProgress(0.7f);
@@ -185,9 +231,13 @@ void
 MembraneMarkerImageFilter<TMembraneImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "DarkMembranes: " << (m_DarkMembranes ? "On" : "Off") << std::endl;
   os << indent << "Sigma: " << m_Sigma << std::endl;
   os << indent << "MinimumDepth: " << m_MinimumDepth << std::endl;
+  os << indent << "NoiseDepth: " << m_NoiseDepth << std::endl;
   os << indent << "ExteriorMargin: " << m_ExteriorMargin << std::endl;
+  os << indent << "Noise: " << m_Noise << std::endl;
+  os << indent << "UsedDepth: " << m_UsedDepth << std::endl;
   os << indent << "NumberOfCells: " << m_NumberOfCells << std::endl;
   os << indent << "HasExterior: " << (m_HasExterior ? "On" : "Off") << std::endl;
 }

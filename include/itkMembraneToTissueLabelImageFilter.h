@@ -15,7 +15,7 @@
 namespace itk
 {
 /** \class MembraneToTissueLabelImageFilter
- * \brief Makes the label image of the cells from an image of bright cell membranes, by a watershed from markers.
+ * \brief Makes the label image of the cells from an image of cell membranes, by a watershed from markers.
  *
  * The mini-pipeline:
  *
@@ -27,7 +27,8 @@ namespace itk
  * cell is (SetCellImage(), such as PointSetToTissueLabelImageFilter makes of points), on any grid: it is brought to
  * that of the membranes by its nearest voxels, and beyond it is exterior. With it the output has its labels and its
  * exterior label, and every cell has at least the core it has there. Without it the markers are the minima of the
- * membrane image, and the labels are 1, 2, ... in raster order of these.
+ * membrane image, and the labels are 1, 2, ... in raster order of these. Membranes are bright, or with
+ * DarkMembranesOn() dark.
  *
  * Output: on the grid of the membrane image; every voxel is a cell's or the exterior's.
  *
@@ -66,6 +67,12 @@ public:
   itkSetMacro(ExteriorLabel, LabelPixelType);
   itkGetConstMacro(ExteriorLabel, LabelPixelType);
 
+  /** Tells whether the membranes are darker than the cells, as in bright field, instead of brighter; the exterior is
+   * bright then. The default is off. */
+  itkSetMacro(DarkMembranes, bool);
+  itkGetConstMacro(DarkMembranes, bool);
+  itkBooleanMacro(DarkMembranes);
+
   /** The standard deviation of the smoothing of the image that is flooded, in physical units. 0, the default, stands
    * for no smoothing. */
   itkSetClampMacro(Sigma, double, 0.0, NumericTraits<double>::max());
@@ -84,6 +91,16 @@ public:
    */
   itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
   itkGetConstMacro(MinimumDepth, double);
+
+  /** The least depth of a minimum over the deviation of the smoothed image's noise (MembraneMarkerImageFilter). The
+   * default is 5. */
+  itkSetClampMacro(NoiseDepth, double, 0.0, NumericTraits<double>::max());
+  itkGetConstMacro(NoiseDepth, double);
+
+  /** The standard deviation of the image's noise and the least depth of a minimum that was used
+   * (MembraneMarkerImageFilter); 0 with a cell image. They are valid after the update. */
+  itkGetConstMacro(Noise, double);
+  itkGetConstMacro(UsedDepth, double);
 
   /** The number of cells in the output. It is valid after the update. */
   itkGetConstMacro(NumberOfCells, SizeValueType);
@@ -126,10 +143,14 @@ private:
   MarkMinima(std::vector<LabelPixelType> & labels);
 
   LabelPixelType m_ExteriorLabel = 0;
+  bool           m_DarkMembranes = false;
   double         m_Sigma = 0.0;
   double         m_CoreDepth = 0.5;
   double         m_MarkerSigma = 0.0;
   double         m_MinimumDepth = 0.015;
+  double         m_NoiseDepth = 5.0;
+  double         m_Noise = 0.0;
+  double         m_UsedDepth = 0.0;
   SizeValueType  m_NumberOfCells = 0;
 };
 } // namespace itk

@@ -131,8 +131,12 @@ MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::MarkMinima(std::v
   minima->SetInput(this->GetInput());
   minima->SetSigma(m_MarkerSigma);
   minima->SetMinimumDepth(m_MinimumDepth);
+  minima->SetNoiseDepth(m_NoiseDepth);
+  minima->SetDarkMembranes(m_DarkMembranes);
   minima->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   minima->Update();
+  m_Noise = minima->GetNoise();
+  m_UsedDepth = minima->GetUsedDepth();
   const SizeValueType most = static_cast<SizeValueType>(NumericTraits<LabelPixelType>::max());
   if (minima->GetNumberOfCells() >= most)
   {
@@ -155,6 +159,8 @@ MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::MakeMarkers(std::
   typename MarkerImageType::Pointer
 {
   labels.assign(2, m_ExteriorLabel);
+  m_Noise = 0.0;
+  m_UsedDepth = 0.0;
   return this->GetCellImage() != nullptr ? this->MarkCores(labels) : this->MarkMinima(labels);
 }
 
@@ -172,7 +178,7 @@ MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::GenerateData()
   this->UpdateProgress(markerShare);
 
   const auto flood = MorphologicalWatershedFromMarkersImageFilter<LevelImageType, MarkerImageType>::New();
-  flood->SetInput(MakeSmoothedLevels(input, m_Sigma, this->GetNumberOfWorkUnits()));
+  flood->SetInput(MakeSmoothedLevels(input, m_Sigma, m_DarkMembranes, this->GetNumberOfWorkUnits()).image);
   flood->SetMarkerImage(markers);
   flood->SetMarkWatershedLine(false);
   const auto progress = ProgressAccumulator::New();
@@ -196,10 +202,14 @@ MembraneToTissueLabelImageFilter<TMembraneImage, TLabelImage>::PrintSelf(std::os
   using PrintType = typename NumericTraits<LabelPixelType>::PrintType;
   Superclass::PrintSelf(os, indent);
   os << indent << "ExteriorLabel: " << static_cast<PrintType>(m_ExteriorLabel) << std::endl;
+  os << indent << "DarkMembranes: " << (m_DarkMembranes ? "On" : "Off") << std::endl;
   os << indent << "Sigma: " << m_Sigma << std::endl;
   os << indent << "CoreDepth: " << m_CoreDepth << std::endl;
   os << indent << "MarkerSigma: " << m_MarkerSigma << std::endl;
   os << indent << "MinimumDepth: " << m_MinimumDepth << std::endl;
+  os << indent << "NoiseDepth: " << m_NoiseDepth << std::endl;
+  os << indent << "Noise: " << m_Noise << std::endl;
+  os << indent << "UsedDepth: " << m_UsedDepth << std::endl;
   os << indent << "NumberOfCells: " << m_NumberOfCells << std::endl;
 }
 } // namespace itk

@@ -12,6 +12,7 @@
 #include "itkImage.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkRescaleIntensityImageFilter.h"
+#include "itkShiftScaleImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,29 +48,41 @@ RequireVaryingFinitePixels(const TImage * image)
   }
 }
 
+/** An image of levels, and how many of them are as much as 1 in the image that it was made of. */
+struct SmoothedLevels
+{
+  LevelImageType::Pointer image;
+  double                  levelsPerUnit;
+};
+
 /** Smooths the image by a Gaussian of standard deviation `sigma` in physical units, the same along all axes whatever
  * the voxels' size (not at all where it is 0), and spreads it over the levels from 0 to 65535. Images of 8 and 16 bits
- * that are not smoothed lose nothing. */
+ * that are not smoothed lose nothing. With `isInverse` the darkest pixels are the highest levels. */
 template <typename TImage>
-LevelImageType::Pointer
-MakeSmoothedLevels(const TImage * image, double sigma, ThreadIdType numberOfWorkUnits)
+SmoothedLevels
+MakeSmoothedLevels(const TImage * image, double sigma, bool isInverse, ThreadIdType numberOfWorkUnits)
 {
   using RealImageType = Image<float, 3>;
   const auto cast = CastImageFilter<TImage, RealImageType>::New();
   cast->SetInput(image);
   cast->SetNumberOfWorkUnits(numberOfWorkUnits);
-  const auto   smooth = DiscreteGaussianImageFilter<RealImageType, RealImageType>::New();
-  const auto   spacing = image->GetSpacing();
-  const double widest = 8.0 * sigma / *std::min_element(spacing.Begin(), spacing.End());
-  smooth->SetInput(cast->GetOutput());
+  const auto turn = ShiftScaleImageFilter<RealImageType, RealImageType>::New();
+  turn->SetInput(cast->GetOutput());
+  turn->SetScale(-1.0);
+  turn->SetNumberOfWorkUnits(numberOfWorkUnits);
+  const RealImageType * real = isInverse ? turn->GetOutput() : cast->GetOutput();
+  const auto            smooth = DiscreteGaussianImageFilter<RealImageType, RealImageType>::New();
+  const auto            spacing = image->GetSpacing();
+  const double          widest = 8.0 * sigma / *std::min_element(spacing.Begin(), spacing.End());
+  smooth->SetInput(real);
   smooth->SetVariance(sigma * sigma);
   smooth->SetMaximumKernelWidth(static_cast<int>(std::min(widest, 1e4)) + 3);
   smooth->SetNumberOfWorkUnits(numberOfWorkUnits);
   const auto rescale = RescaleIntensityImageFilter<RealImageType, LevelImageType>::New();
-  rescale->SetInput(sigma > 0.0 ? smooth->GetOutput() : cast->GetOutput());
+  rescale->SetInput(sigma > 0.0 ? smooth->GetOutput() : real);
   rescale->SetNumberOfWorkUnits(numberOfWorkUnits);
   rescale->Update();
-  return rescale->GetOutput();
+  return { rescale->GetOutput(), rescale->GetScale() };
 }
 } // namespace itk
 

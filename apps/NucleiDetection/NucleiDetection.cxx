@@ -108,6 +108,10 @@ void
 Say(const Options & options, std::vector<std::string> warnings, const DetectionFilter & detection)
 {
   const auto number = detection.GetOutput()->GetNumberOfPoints();
+  for (const std::string & warning : WarningsOf(detection))
+  {
+    warnings.push_back(options.image + ": " + warning);
+  }
   if (number == 0)
   {
     warnings.push_back(options.image + ": no nuclei" + DescribeSearch(detection, "with"));
@@ -120,7 +124,7 @@ Say(const Options & options, std::vector<std::string> warnings, const DetectionF
   {
     std::cout << options.points << ": " << number << " nuclei of scales from " << detection.GetUsedMinimumScale()
               << " to " << detection.GetUsedMaximumScale() << ", responses of " << detection.GetUsedThreshold()
-              << " and more\n";
+              << " and more; the noise has a deviation of " << detection.GetNoise() << '\n';
   }
 }
 } // namespace

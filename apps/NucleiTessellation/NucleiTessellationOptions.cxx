@@ -79,9 +79,7 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->type_name("{auto,on,off}")
     ->capture_default_str()
     ->group(group);
-  app
-    .add_option(
-      "--membrane", options.membrane.file, "Image of bright cell membranes, which is segmented from the points")
+  app.add_option("--membrane", options.membrane.file, "Image of cell membranes, which is segmented from the points")
     ->type_name("FILE")
     ->group("Membranes");
   app
@@ -97,7 +95,7 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
     ->type_name("NUMBER")
     ->check(InRange(1, 1e6))
     ->group("Membranes");
-  AddMembraneOptions(app, options.membrane);
+  AddMembraneOptions(app, "--darkMembranes", options.membrane);
   // Of points, --frame is that of their table.
   hasLabels ? AddImageOptions(app, options.centers.image) : AddSpacingAndChannel(app, options.centers.image);
   AddDetectionOptions(app, options.centers.detection);

@@ -144,6 +144,10 @@ FindNuclei(const CenterOptions & options, ProgressBar & progress)
   }
   result.image = stain.description;
   result.warnings = stain.warnings;
+  for (const std::string & warning : WarningsOf(*detection))
+  {
+    result.warnings.push_back(options.file + ": " + warning);
+  }
   result.seconds.read = stain.readSeconds;
   result.seconds.segment = timer.Lap().wallSeconds;
   return result;

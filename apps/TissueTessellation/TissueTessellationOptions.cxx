@@ -50,7 +50,7 @@ AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & o
   app
     .add_option("--membrane",
                 options.membrane.file,
-                "Image of bright cell membranes, in place of the segmented one: its minima are the cells")
+                "Image of cell membranes, in place of the segmented one: its minima are the cells")
     ->type_name("FILE")
     ->group(group);
   app
@@ -65,7 +65,15 @@ AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & o
     ->check(InRange(0.0, 1.0))
     ->capture_default_str()
     ->group(group);
-  AddMembraneOptions(app, options.membrane);
+  app
+    .add_option(
+      "--noiseDepth",
+      options.membrane.noiseDepth,
+      "Least depth of a minimum, of the deviation of the noise that the smoothing leaves; 0: whatever the noise")
+    ->check(InRange(0.0, 1e6))
+    ->capture_default_str()
+    ->group(group);
+  AddMembraneOptions(app, "--dark,--darkMembranes", options.membrane);
 }
 } // namespace
 

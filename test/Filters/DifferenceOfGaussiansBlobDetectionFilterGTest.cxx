@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Common/Random.h"
 #include "itkDifferenceOfGaussiansBlobDetectionFilter.h"
+#include "itkDiscreteGaussianImageFilter.h"
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkSyntheticNucleiImageFilter.h"
 #include "itkSyntheticTissueImageSource.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <utility>
 
 namespace
@@ -280,6 +282,90 @@ TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsTheScalesOfBlobsInNoise)
   const double scale = std::sqrt(2.0 / 3.0) * 3.3;
   EXPECT_NEAR(filter->GetUsedMinimumScale(), 0.5 * scale, 0.1 * scale);
   EXPECT_NEAR(filter->GetUsedMaximumScale(), 2.0 * scale, 0.4 * scale);
+}
+
+TEST(DifferenceOfGaussiansBlobDetectionFilter, NoiseAloneHasNoBlobs)
+{
+  std::mt19937                     random(5);
+  std::normal_distribution<double> normal;
+  std::poisson_distribution<int>   photons(9.0);
+  const auto gaussian = MakeImage([&](const PointType &) { return 40.0 + 12.0 * normal(random); });
+  const auto counted = MakeImage([&](const PointType &) { return static_cast<double>(photons(random)); });
+  for (const auto & [image, deviation] : { std::make_pair(gaussian, 12.0), std::make_pair(counted, 3.0) })
+  {
+    const auto filter = MakeFilter(image, 0.0, 0.0);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0u);
+    EXPECT_NEAR(filter->GetNoise(), deviation, 0.1 * deviation);
+    EXPECT_FALSE(filter->GetHasWeakEvidence());
+    EXPECT_GT(Detect(image, Threshold)->GetOutput()->GetNumberOfPoints(), 5u);
+  }
+  // Of smoothed noise too little is seen, but the dark blobs are as strong.
+  const auto smooth = itk::DiscreteGaussianImageFilter<ImageType, ImageType>::New();
+  smooth->SetInput(gaussian);
+  smooth->SetUseImageSpacing(false);
+  smooth->SetVariance(1.0);
+  smooth->Update();
+  const auto filter = MakeFilter(smooth->GetOutput(), 0.0, 0.0);
+  filter->Update();
+  EXPECT_TRUE(filter->GetHasWeakEvidence());
+  EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), 20u);
+}
+
+TEST(DifferenceOfGaussiansBlobDetectionFilter, BlobsOnBlackAreThemselves)
+{
+  // A ball alone, and single voxels: no remainders of either at the border or between.
+  const auto ball = MakeFilter(
+    MakeImage([](const PointType & p) { return p.EuclideanDistanceTo(Middle()) < 5.0 ? 200.0 : 0.0; }), 0.0, 0.0);
+  ball->Update();
+  ASSERT_EQ(ball->GetOutput()->GetNumberOfPoints(), 1u);
+  EXPECT_LT(ball->GetOutput()->GetPoint(0).EuclideanDistanceTo(Middle()), 0.5);
+  EXPECT_EQ(ball->GetNoise(), 0.0);
+
+  const auto                   image = MakeImage([](const PointType &) { return 0.0; });
+  const std::vector<PointType> places{ Middle(8, 9, 5), Middle(30, 12, 16), Middle(20, 40, 10), Middle(41, 33, 4) };
+  for (const PointType & place : places)
+  {
+    ImageType::IndexType index;
+    image->TransformPhysicalPointToIndex(place, index);
+    image->SetPixel(index, 1.0f);
+  }
+  const auto voxels = MakeFilter(image, 0.0, 0.0);
+  voxels->Update();
+  ASSERT_EQ(voxels->GetOutput()->GetNumberOfPoints(), places.size());
+  for (unsigned int i = 0; i < places.size(); ++i)
+  {
+    const PointType point = voxels->GetOutput()->GetPoint(i);
+    EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&point](const PointType & place) {
+      return point.EuclideanDistanceTo(place) < 0.5;
+    }));
+  }
+}
+
+TEST(DifferenceOfGaussiansBlobDetectionFilter, FindsBlobsOfTwoSizes)
+{
+  std::mt19937                     random(6);
+  std::normal_distribution<double> normal;
+  for (const double noise : { 0.0, 6.0 })
+  {
+    const auto image = MakeImage([&](const PointType & p) {
+      double value = noise * normal(random);
+      for (const double x : { 10.0, 38.0 })
+      {
+        for (const double y : { 10.0, 38.0 })
+        {
+          value += 100.0 * Gaussian(p, Middle(x, y, 11.0), 4.5);
+          value += 100.0 * Gaussian(p, Middle(24.0, x, y / 2.0), 1.7);
+        }
+      }
+      return value;
+    });
+    const auto filter = MakeFilter(image, 0.0, 0.0);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 8u) << noise;
+    EXPECT_LT(filter->GetUsedMinimumScale(), 1.7) << noise;
+    EXPECT_GT(filter->GetUsedMaximumScale(), 3.5) << noise;
+  }
 }
 
 TEST(DifferenceOfGaussiansBlobDetectionFilter, ReportsProgressOfTheWhole)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 #include <set>
 
 namespace
@@ -158,6 +159,45 @@ TEST(MembraneToTissueLabelImageFilter, WithoutAGuessTheMinimaAreTheCells)
   }
 }
 
+TEST(MembraneToTissueLabelImageFilter, DarkMembranesAreTheBrightOnesOfTheInverse)
+{
+  const auto bright = tissue_test::MakeMembraneImage<float>(MakeCubes(9, 18).GetPointer(), 10);
+  const auto dark = tissue_test::MakeImage<float>({ { 63, 63, 63 } }, [&bright](long x, long y, long z) {
+    return 255.0f - bright->GetPixel({ { x, y, z } });
+  });
+  const auto filter = itk::MembraneToTissueLabelImageFilter<MembraneImageType<float>, LabelImageType>::New();
+  filter->SetInput(dark);
+  filter->DarkMembranesOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfCells(), 27u);
+  EXPECT_EQ(tissue_test::Agreement<LabelImageType>(filter->GetOutput(), Segment<float>(bright, nullptr)), 1.0);
+}
+
+TEST(MembraneToTissueLabelImageFilter, NoiseMakesNoCells)
+{
+  for (const double deviation : { 10.0, 30.0 })
+  {
+    const auto                       image = tissue_test::MakeMembraneImage<float>(MakeCubes(12, 18).GetPointer(), 0);
+    std::mt19937                     random(4);
+    std::normal_distribution<double> normal(0.0, deviation);
+    for (float * pixel = image->GetBufferPointer(); pixel != image->GetBufferPointer() + 72 * 72 * 72; ++pixel)
+    {
+      *pixel += static_cast<float>(normal(random));
+    }
+    const auto filter = itk::MembraneToTissueLabelImageFilter<MembraneImageType<float>, LabelImageType>::New();
+    filter->SetInput(image);
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfCells(), 27u) << deviation;
+    EXPECT_EQ(filter->GetOutput()->GetPixel({ { 0, 0, 0 } }), 0) << deviation;
+    EXPECT_NEAR(filter->GetNoise() / deviation, 1.0, 0.1) << deviation;
+    EXPECT_GT(filter->GetUsedDepth(), 0.015) << deviation;
+    filter->SetNoiseDepth(0.0);
+    filter->Update();
+    EXPECT_GE(filter->GetNumberOfCells(), deviation > 20.0 ? 40u : 27u) << deviation;
+    EXPECT_EQ(filter->GetUsedDepth(), 0.015) << deviation;
+  }
+}
+
 TEST(MembraneToTissueLabelImageFilter, SaysWhatItCannotUse)
 {
   const auto labels = MakeTissue();
@@ -178,6 +218,7 @@ TEST(MembraneToTissueLabelImageFilter, SaysWhatItCannotUse)
   const auto filter = itk::MembraneToTissueLabelImageFilter<itk::Image<unsigned char, 3>, SmallImageType>::New();
   filter->SetInput(noise);
   filter->SetMinimumDepth(0.0);
+  filter->SetNoiseDepth(0.0);
   filter->SetMarkerSigma(0.1);
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
 }

@@ -9,11 +9,14 @@
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationProgramTest.h"
 
+#include <itkDiscreteGaussianImageFilter.h>
 #include <itkImageRegionIteratorWithIndex.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -146,6 +149,31 @@ TEST_F(NucleiDetectionApp, WarnsWhereThereAreNoNuclei)
   }
   ASSERT_EQ(this->Run("slope.mha points.csv --spacing 1 1 1"), 0);
   EXPECT_EQ(m_Errors, "NucleiDetection: warning: slope.mha: no nuclei, nor any blob that tells their scales\n");
+}
+
+TEST_F(NucleiDetectionApp, SaysThatNoiseIsNoise)
+{
+  std::mt19937                     random(2);
+  std::normal_distribution<double> normal(40.0, 10.0);
+  const auto                       fill = [&](StainType * image) {
+    std::generate_n(image->GetBufferPointer(), 8000, [&] { return static_cast<float>(normal(random)); });
+  };
+  this->WriteStain("noise.mha", fill);
+  ASSERT_EQ(this->Run("noise.mha points.csv"), 0);
+  EXPECT_NE(m_Errors.find("no nuclei, nor any blob that tells their scales and exceeds the noise, of deviation "),
+            std::string::npos)
+    << m_Errors;
+  EXPECT_EQ(ReadBytes(this->PathOf("points.csv")), "x,y,z,Label,scale,radius,response\n");
+  this->WriteStain("smooth.mha", [&](StainType * image) {
+    fill(image);
+    const auto smooth = itk::DiscreteGaussianImageFilter<StainType, StainType>::New();
+    smooth->SetInput(image);
+    smooth->SetVariance(1.0);
+    smooth->Update();
+    std::copy_n(smooth->GetOutput()->GetBufferPointer(), 8000, image->GetBufferPointer());
+  });
+  ASSERT_EQ(this->Run("smooth.mha points.csv"), 0);
+  EXPECT_NE(m_Errors.find("smooth.mha: weak evidence: "), std::string::npos) << m_Errors;
 }
 
 TEST_F(NucleiDetectionApp, ImagesWithoutAScaleSpaceAreRefused)

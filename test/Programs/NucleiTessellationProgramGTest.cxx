@@ -222,6 +222,30 @@ TEST_F(NucleiTessellationApp, MembranesBesideThePointsAndAloneAgreeWithTheTissue
   const auto alone = this->RunAndReport("--membrane membrane.mha" + rest);
   EXPECT_GT(alone["evaluation"]["optimized"]["adjacency4"], 0.3);
   EXPECT_EQ(alone["input"]["exteriorLabel"], 0);
+  EXPECT_GT(alone["input"]["membraneMinima"]["noise"], 0.0);
+  EXPECT_GE(alone["input"]["membraneMinima"]["leastDepth"], 0.015);
+  EXPECT_NE(m_Output.find("Membranes: noise of deviation "), std::string::npos) << m_Output;
+}
+
+TEST_F(NucleiTessellationApp, DarkMembranesAreTheBrightOnesOfTheInverse)
+{
+  const auto membranes = tissue_test::MakeMembraneImage<unsigned char>(m_Tissue.GetPointer());
+  this->WriteImage(membranes.GetPointer(), "bright.mha");
+  const auto number = membranes->GetBufferedRegion().GetNumberOfPixels();
+  std::transform(membranes->GetBufferPointer(),
+                 membranes->GetBufferPointer() + number,
+                 membranes->GetBufferPointer(),
+                 [](unsigned char pixel) { return static_cast<unsigned char>(255 - pixel); });
+  this->WriteImage(membranes.GetPointer(), "dark.mha");
+  const auto walls = [this](const std::string & arguments) {
+    EXPECT_EQ(this->Run(arguments + " walls.vtp --refinement 0"), 0) << m_Errors;
+    return ReadBytes(this->PathOf("walls.vtp"));
+  };
+  EXPECT_EQ(walls("points.csv --membrane bright.mha"), walls("points.csv --membrane dark.mha --darkMembranes"));
+  m_Program = TISSUE_TESSELLATION_PROGRAM;
+  const std::string bright = walls("--membrane bright.mha");
+  EXPECT_EQ(bright, walls("--membrane dark.mha --dark"));
+  EXPECT_NE(bright, walls("--membrane dark.mha"));
 }
 
 TEST_F(NucleiTessellationApp, RepeatedPointsAreLeftOutAndSaid)

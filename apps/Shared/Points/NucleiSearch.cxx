@@ -35,7 +35,7 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
   app
     .add_option("--relativeThreshold",
                 options.relativeThreshold,
-                "Least response relative to the greatest; 0: found from all responses")
+                "Least response relative to the greatest; 0: found from the noise and all responses")
     ->group("Detection")
     ->check(InRange(0.0, 0.999));
   app
@@ -61,14 +61,32 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
 std::string
 DescribeSearch(const DetectionFilter & detection, const std::string & verb)
 {
+  std::ostringstream text;
   if (!(detection.GetUsedMaximumScale() > 0.0))
   {
-    return ", nor any blob that tells their scales";
+    text << ", nor any blob that tells their scales";
+    if (detection.GetNoise() > 0.0)
+    {
+      text << " and exceeds the noise, of deviation " << detection.GetNoise()
+           << " (--threshold takes weaker ones, --dark darker ones)";
+    }
+    return text.str();
   }
-  std::ostringstream text;
   text << " of scales from " << detection.GetUsedMinimumScale() << " to " << detection.GetUsedMaximumScale() << ' '
        << verb << " a response of " << detection.GetUsedThreshold() << " or more";
   return text.str();
+}
+
+std::vector<std::string>
+WarningsOf(const DetectionFilter & detection)
+{
+  if (!detection.GetHasWeakEvidence())
+  {
+    return {};
+  }
+  const auto number = detection.GetOutput()->GetNumberOfPoints();
+  return { "weak evidence: the image has dark blobs as strong as the bright ones, as noise has; the " +
+           std::to_string(number) + " that are stronger than all of the others are taken (--threshold takes more)" };
 }
 
 DetectionFilter::Pointer

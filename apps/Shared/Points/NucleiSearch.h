@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace tissue
 {
@@ -39,6 +40,10 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options);
 /** After a number of nuclei: what was looked for, `verb` being with or have. */
 std::string
 DescribeSearch(const DetectionFilter & detection, const std::string & verb);
+
+/** What is to be said of nuclei that may be none. */
+std::vector<std::string>
+WarningsOf(const DetectionFilter & detection);
 
 /** The filter, updated. */
 DetectionFilter::Pointer

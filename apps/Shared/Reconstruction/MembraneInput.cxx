@@ -16,7 +16,7 @@
 namespace tissue
 {
 void
-AddMembraneOptions(CLI::App & app, MembraneOptions & options)
+AddMembraneOptions(CLI::App & app, const std::string & dark, MembraneOptions & options)
 {
   const std::string group = "Membranes";
   app
@@ -26,6 +26,7 @@ AddMembraneOptions(CLI::App & app, MembraneOptions & options)
     ->check(InRange(0.0, 1e12))
     ->capture_default_str()
     ->group(group);
+  app.add_flag(dark, options.isDark, "The membranes are darker than the cells, as in bright field")->group(group);
 }
 
 void
@@ -36,7 +37,9 @@ AddToJson(const MembraneOptions & options, nlohmann::ordered_json & json)
     json["membrane"] = { { "file", options.file },
                          { "sigma", options.sigma },
                          { "markerSigma", options.markerSigma },
-                         { "markerDepth", options.markerDepth } };
+                         { "markerDepth", options.markerDepth },
+                         { "noiseDepth", options.noiseDepth },
+                         { "dark", options.isDark } };
   }
 }
 
@@ -68,10 +71,13 @@ SegmentMembranes(const ScalarImage * membranes, const TissueLabelImage * cells, 
   segmentation->SetSigma(options.sigma);
   segmentation->SetMarkerSigma(options.markerSigma);
   segmentation->SetMinimumDepth(options.markerDepth);
+  segmentation->SetNoiseDepth(options.noiseDepth);
+  segmentation->SetDarkMembranes(options.isDark);
   progress.Begin("Segmenting the membranes");
   progress.Observe(segmentation);
   segmentation->Update();
-  return { segmentation->GetOutput(), timer.Lap().wallSeconds };
+  const MembraneMinima minima{ segmentation->GetNoise(), segmentation->GetUsedDepth() };
+  return { segmentation->GetOutput(), minima, timer.Lap().wallSeconds };
 }
 
 TissueInput
@@ -87,6 +93,7 @@ ReadMembranes(const MembraneOptions & options, const JunctionOptions & junctionO
     input.warnings = membranes.warnings;
     input.seconds.read = membranes.readSeconds;
     input.seconds.segment = cells.seconds;
+    input.membraneMinima = cells.minima;
     input.extracted = ExtractTissueJunctions(cells.labels.GetPointer(), junctionOptions, progress);
     Append(CheckThatCellsTouch(input.GetJunctionSet(), std::nullopt), input.warnings);
     return input;

@@ -29,11 +29,15 @@ struct MembraneOptions
   double markerSigma = 0.0;
   /** Least depth of a minimum, of the range of intensities; 0 .. 1. */
   double markerDepth = 0.015;
+  /** Least depth of a minimum over the deviation of the smoothed image's noise. */
+  double noiseDepth = 5.0;
+  /** Membranes are darker than the cells. */
+  bool isDark = false;
 };
 
-/** Adds the options that all programs have of it. */
+/** Adds the options that all programs have of it. \param dark the names of the flag for dark membranes. */
 void
-AddMembraneOptions(CLI::App & app, MembraneOptions & options);
+AddMembraneOptions(CLI::App & app, const std::string & dark, MembraneOptions & options);
 
 /** The options for the report, if there is such an image. */
 void
@@ -58,6 +62,7 @@ ReadStain(const std::string & path, const ImageOptions & options);
 struct MembraneSegmentation
 {
   TissueLabelImage::Pointer labels;
+  MembraneMinima            minima;
   double                    seconds = 0.0;
 };
 

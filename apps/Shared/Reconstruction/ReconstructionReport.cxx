@@ -149,6 +149,11 @@ InputToJson(const ReconstructionReport & report)
   const bool          hasLabelImage = report.HasLabelImage();
   const bool          hasVoxels = report.HasVoxels();
   const ClosedGaps    gaps = input.closedGaps.value_or(ClosedGaps());
+  Json                minima;
+  if (input.membraneMinima)
+  {
+    minima = { { "noise", input.membraneMinima->noise }, { "leastDepth", input.membraneMinima->depth } };
+  }
   return { { "file", input.file },
            { "points", input.numberOfPoints },
            { "pointUnit", ToJsonIf(!input.pointUnit.empty(), input.pointUnit) },
@@ -171,7 +176,8 @@ InputToJson(const ReconstructionReport & report)
              { { "width", gaps.width },
                { "voxels", gaps.numberOfVoxels },
                { "largestDistance", gaps.largestDistance },
-               { "shareLeft", gaps.shareLeft } } } };
+               { "shareLeft", gaps.shareLeft } } },
+           { "membraneMinima", minima } };
 }
 
 Json

@@ -120,6 +120,11 @@ PrintInput(const ReconstructionReport & report, std::ostream & stream)
   {
     stream << "Voids enclosed in the tissue: " << report.NumberOfVoids() << '\n';
   }
+  if (input.membraneMinima)
+  {
+    stream << "Membranes: noise of deviation " << input.membraneMinima->noise << ", minima at least "
+           << input.membraneMinima->depth << " of the range deep are cells\n";
+  }
   if (input.closedGaps)
   {
     stream << "Gaps up to a width of " << input.closedGaps->width << " closed: " << input.closedGaps->numberOfVoxels

@@ -43,6 +43,15 @@ struct ClosedGaps
   double widthLeft = 0.0;
 };
 
+/** How deep the minima of an image of membranes are that were taken for cells. */
+struct MembraneMinima
+{
+  /** Standard deviation, as estimated, in the image's units. */
+  double noise = 0.0;
+  /** The least depth, over the range of intensities. */
+  double depth = 0.0;
+};
+
 /** Times on the wall of the steps that led to the labels. */
 struct InputSeconds
 {
@@ -80,8 +89,10 @@ struct TissueInput
   ImageDescription             image;
   /** Nothing unless they were to be closed. */
   std::optional<ClosedGaps> closedGaps;
-  std::vector<std::string>  warnings;
-  InputSeconds              seconds;
+  /** Nothing unless the cells are such minima. */
+  std::optional<MembraneMinima> membraneMinima;
+  std::vector<std::string>      warnings;
+  InputSeconds                  seconds;
 
   const JunctionSet &
   GetJunctionSet() const
