@@ -22,8 +22,8 @@ namespace itk
  * The second difference along all three axes at once, 27 voxels with the weights (1, -2, 1) of each axis, is 0 where
  * the image is linear along one of them, and small where it is smooth, as it is across walls and on the surface of
  * balls. What is left of it is noise, whose deviation it has sqrt(6) times for each axis (after J. Immerkaer 1996,
- * doi:10.1006/cviu.1996.0060). The median of its absolute value, over 0.6745, is that of normal noise, and the median
- * does not mind the few places where the image is not smooth.
+ * doi:10.1006/cviu.1996.0060). The lower quartile of its absolute value, over 0.3186, is that of normal noise, and does
+ * not mind that the image is not smooth in half of the places, as where cells are small.
  *
  * This is done in blocks, as noise may depend on the place: that of the image is the median of all blocks'. Noise is
  * taken to be independent from voxel to voxel: of an image that was smoothed, or resampled, less is seen than there is.

@@ -66,11 +66,11 @@ ImageNoiseCalculator<TImage>::ComputeBlock(SizeValueType number) const
     }
     differences.push_back(static_cast<float>(std::abs(difference)));
   }
-  // The absolute value of a normal variable is below 0.6745 deviations as often as above.
-  constexpr double medianOfNormal = 0.6745;
-  const auto       median = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), median, differences.end());
-  return *median / (medianOfNormal * std::sqrt(variance));
+  // The absolute value of a normal variable is below 0.3186 deviations in a quarter of the cases.
+  constexpr double quartileOfNormal = 0.3186;
+  const auto       quartile = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 4);
+  std::nth_element(differences.begin(), quartile, differences.end());
+  return *quartile / (quartileOfNormal * std::sqrt(variance));
 }
 
 template <typename TImage>

@@ -66,7 +66,7 @@ public:
   itkSetClampMacro(MinimumDepth, double, 0.0, 1.0);
   itkGetConstMacro(MinimumDepth, double);
 
-  /** The least depth of a minimum, over the deviation of the noise of the smoothed image. The default is 5. */
+  /** The least depth of a minimum, over the deviation of the noise of the smoothed image. The default is 3. */
   itkSetClampMacro(NoiseDepth, double, 0.0, NumericTraits<double>::max());
   itkGetConstMacro(NoiseDepth, double);
 
@@ -142,7 +142,7 @@ private:
   bool          m_DarkMembranes = false;
   double        m_Sigma = 0.0;
   double        m_MinimumDepth = 0.015;
-  double        m_NoiseDepth = 5.0;
+  double        m_NoiseDepth = 3.0;
   double        m_ExteriorMargin = 0.25;
   double        m_Noise = 0.0;
   double        m_UsedDepth = 0.0;

@@ -93,7 +93,7 @@ public:
   itkGetConstMacro(MinimumDepth, double);
 
   /** The least depth of a minimum over the deviation of the smoothed image's noise (MembraneMarkerImageFilter). The
-   * default is 5. */
+   * default is 3. */
   itkSetClampMacro(NoiseDepth, double, 0.0, NumericTraits<double>::max());
   itkGetConstMacro(NoiseDepth, double);
 
@@ -148,7 +148,7 @@ private:
   double         m_CoreDepth = 0.5;
   double         m_MarkerSigma = 0.0;
   double         m_MinimumDepth = 0.015;
-  double         m_NoiseDepth = 5.0;
+  double         m_NoiseDepth = 3.0;
   double         m_Noise = 0.0;
   double         m_UsedDepth = 0.0;
   SizeValueType  m_NumberOfCells = 0;

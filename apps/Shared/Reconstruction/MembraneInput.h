@@ -30,7 +30,7 @@ struct MembraneOptions
   /** Least depth of a minimum, of the range of intensities; 0 .. 1. */
   double markerDepth = 0.015;
   /** Least depth of a minimum over the deviation of the smoothed image's noise. */
-  double noiseDepth = 5.0;
+  double noiseDepth = 3.0;
   /** Membranes are darker than the cells. */
   bool isDark = false;
 };

@@ -21,6 +21,8 @@ struct WallFittingStatistics
   std::int64_t unfittedCorners = 0;
   /** The number of unfitted corners of each cell. */
   std::vector<std::int32_t> unfittedCornersOfCell;
+  /** The cells of holes in the image that the mesh does not have, ascending, one for each hole. */
+  std::vector<VertexId> cellsOfFilledVoids;
   /** The pairs of triangles of the first star that crossed and were parted. */
   std::int64_t untangledPairs = 0;
   /** The pairs of triangles that cross in the mesh, fitted or not, as no search could part them. */

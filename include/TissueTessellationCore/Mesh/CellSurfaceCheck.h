@@ -27,20 +27,20 @@ struct CellSurface
   std::int32_t numberOfOpenEdges = 0;
   /** The number of edges in more than two triangles of the cell, where the surface touches itself. */
   std::int32_t numberOfCrowdedEdges = 0;
-  /** The number of edges along which their two triangles run in the same direction, so that one is turned over. */
+  /** The number of edges along which not as many of their triangles, two or more, run in one direction as in the other,
+   * so that one of two is turned over, or a third one too many. */
   std::int32_t numberOfMisorientedEdges = 0;
   /** The volume within the surface. It is positive where the triangles face outwards, and has no meaning where the
    * surface is not closed. */
   double volume = 0.0;
   double area = 0.0;
 
-  /** Tells whether each edge is in exactly two of the triangles, which run along it in opposite directions. Without
-   * triangles this is false. */
+  /** Tells whether as many of the triangles run along each edge in one direction as in the other, so that there is a
+   * volume within. They are two, or more where the surface touches itself. Without triangles this is false. */
   bool
   IsClosed() const
   {
-    return numberOfTriangles > 0 && numberOfOpenEdges == 0 && numberOfCrowdedEdges == 0 &&
-           numberOfMisorientedEdges == 0;
+    return numberOfTriangles > 0 && numberOfOpenEdges == 0 && numberOfMisorientedEdges == 0;
   }
 
   /** Tells whether the surface is one topological sphere. One component by edges and the characteristic 2 leave no room
@@ -57,7 +57,7 @@ struct CellSurface
   bool
   HasOnlySpheres() const
   {
-    return this->IsClosed() && eulerCharacteristic == 2 * numberOfComponents;
+    return this->IsClosed() && numberOfCrowdedEdges == 0 && eulerCharacteristic == 2 * numberOfComponents;
   }
 };
 

@@ -51,6 +51,9 @@ enum class Remark
   /** The cell has holes of background in the image, which enclosed nothing else, and keeps them. Value: their number.
    */
   Cavities,
+  /** The cell has holes of background in the image, too small for a surface of their own, and is without them in the
+   * mesh. Value: their number. */
+  CavitiesFilled,
   /** Its centre was another cell's too, and was moved aside. Value: the distance in the image's units. */
   CenterMoved,
   /** The cell touches the exterior in the image, but not in the mesh. */

@@ -7,6 +7,7 @@
 #include "Fitting/WallFitting.h"
 
 #include "Fitting/AngleMending.h"
+#include "Fitting/CavityVolumes.h"
 #include "Fitting/CornerFitting.h"
 #include "Fitting/CrossingGuard.h"
 #include "Fitting/CrossingWalls.h"
@@ -96,6 +97,7 @@ public:
     }
     const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectWallFaces(mesh, m_Pairs, m_Tissue.vertices);
+    this->FindCavities(mesh, statistics);
     this->LiftCenters(mesh);
     m_Execution.Report(0.6 * StarShare);
     // An equilateral triangle of this area has edges as long as this.
@@ -225,6 +227,32 @@ private:
     }
   }
 
+  void
+  FindCavities(const WallMesh & mesh, WallFittingStatistics & statistics)
+  {
+    CavityVolumes cavities = FindCavityVolumes(mesh, m_Volumes.size(), m_Tissue.cells);
+    m_CavityOfWall = std::move(cavities.ofWall);
+    m_VolumesWithin = m_Volumes;
+    m_VolumesWithin.insert(m_VolumesWithin.end(), cavities.volumes.begin(), cavities.volumes.end());
+    statistics.cellsOfFilledVoids = std::move(cavities.cellsOfFilledVoids);
+  }
+
+  /** A step of cells, and of the cavities in them, towards their volumes. */
+  void
+  StepTowardsVolumes(WallMesh & mesh, double share) const
+  {
+    const std::vector<WallMesh::Wall> walls = mesh.walls;
+    for (std::size_t w = 0; w < walls.size(); ++w)
+    {
+      if (m_CavityOfWall[w] != ExteriorVertex)
+      {
+        mesh.walls[w].cells[1] = m_CavityOfWall[w];
+      }
+    }
+    FitVolumes(mesh, m_VolumesWithin, share);
+    mesh.walls = walls;
+  }
+
   /** Each wall's centre goes towards the mean of its faces in the image, as far as nothing more crosses. */
   void
   LiftCenters(WallMesh & mesh) const
@@ -258,7 +286,7 @@ private:
       sum += m_Field.LengthInVoxels(mesh.points[p] - before[p]);
     }
     ImproveTriangles(mesh, 1, m_Execution);
-    FitVolumes(mesh, m_Volumes, VolumeShare);
+    this->StepTowardsVolumes(mesh, VolumeShare);
     StepBackFromCrossings(mesh, before, GuardShares, limits, m_Execution);
     return sum / static_cast<double>(before.size());
   }
@@ -267,7 +295,7 @@ private:
   VolumeStep(WallMesh & mesh, double share, const AngleLimits & limits) const
   {
     const std::vector<Point> before = mesh.points;
-    FitVolumes(mesh, m_Volumes, share);
+    this->StepTowardsVolumes(mesh, share);
     StepBackFromCrossings(mesh, before, GuardShares, limits, m_Execution);
   }
 
@@ -325,6 +353,9 @@ private:
   /** Of each wall its vertices in the complex. */
   std::vector<VertexPair> m_Pairs;
   ImagePlaces             m_Faces{ 0, {} };
+  /** Of each wall the cavity beyond it, or ExteriorVertex; and the volumes, with those of the cavities at the end. */
+  std::vector<VertexId> m_CavityOfWall;
+  std::vector<double>   m_VolumesWithin;
   /** Where the corners are fitted and apart. */
   std::vector<Point> m_Anchors;
   /** In the order of the dual, the points of the mesh. */

@@ -167,8 +167,9 @@ private:
         }
         surface.numberOfOpenEdges += last - first == 1 ? 1 : 0;
         surface.numberOfCrowdedEdges += last - first > 2 ? 1 : 0;
-        surface.numberOfMisorientedEdges +=
-          last - first == 2 && this->FromPoint(first[0]) == this->FromPoint(first[1]) ? 1 : 0;
+        const auto runsUpwards = [&](std::uint32_t halfEdge) { return this->FromPoint(halfEdge) == point; };
+        const bool isBalanced = 2 * std::count_if(first, last, runsUpwards) == last - first;
+        surface.numberOfMisorientedEdges += last - first > 1 && !isBalanced ? 1 : 0;
         ++numberOfEdges;
         first = last;
       }

@@ -111,18 +111,18 @@ RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, bool isFitt
   }
 }
 
-/** Names the cells with holes of background. */
+/** Remarks how often each cell is in a list. */
 void
-RemarkCavities(const WallMesh & walls, std::vector<CellRemark> & remarks)
+RemarkCounts(const std::vector<VertexId> & cells, Remark reason, std::vector<CellRemark> & remarks)
 {
-  std::map<VertexId, int> cavitiesOf;
-  for (const VertexId cell : FindCavities(walls))
+  std::map<VertexId, int> counts;
+  for (const VertexId cell : cells)
   {
-    ++cavitiesOf[cell];
+    ++counts[cell];
   }
-  for (const auto & [cell, count] : cavitiesOf)
+  for (const auto & [cell, count] : counts)
   {
-    remarks.push_back({ cell, Remark::Cavities, static_cast<double>(count) });
+    remarks.push_back({ cell, reason, static_cast<double>(count) });
   }
 }
 
@@ -141,19 +141,16 @@ RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size
   }
 }
 
-/** Names the cells with places that are too sharp to compute on. */
-void
-RemarkSharpPlaces(const TissueReconstruction & result, std::vector<CellRemark> & remarks)
+/** The cells with places that are too sharp to compute on, one for each place. */
+std::vector<VertexId>
+CellsOfSharpPlaces(const TissueReconstruction & result)
 {
-  std::map<VertexId, int> placesOf;
+  std::vector<VertexId> cells;
   for (const SharpPlace & place : result.fitting.sharpPlaces)
   {
-    ++placesOf[place.cell != ExteriorVertex ? place.cell : result.walls.walls[place.wall].cells[0]];
+    cells.push_back(place.cell != ExteriorVertex ? place.cell : result.walls.walls[place.wall].cells[0]);
   }
-  for (const auto & [cell, count] : placesOf)
-  {
-    remarks.push_back({ cell, Remark::Sharp, static_cast<double>(count) });
-  }
+  return cells;
 }
 
 /** All remarks on the result, by cell; of each cell first those that follow from image and complex, then those of the
@@ -168,9 +165,10 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
   {
     RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
   }
-  RemarkCavities(result.walls, remarks);
+  RemarkCounts(FindCavities(result.walls), Remark::Cavities, remarks);
+  RemarkCounts(result.fitting.cellsOfFilledVoids, Remark::CavitiesFilled, remarks);
   RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
-  RemarkSharpPlaces(result, remarks);
+  RemarkCounts(CellsOfSharpPlaces(result), Remark::Sharp, remarks);
   std::stable_sort(
     remarks.begin(), remarks.end(), [](const CellRemark & a, const CellRemark & b) { return a.cell < b.cell; });
   return remarks;

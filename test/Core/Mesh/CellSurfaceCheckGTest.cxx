@@ -153,10 +153,25 @@ TEST(CellSurfaceCheck, ASphereAndATorusAreNotOnlySpheres)
   EXPECT_FALSE(check.cells[1].IsSphere());
 }
 
-TEST(CellSurfaceCheck, VoxelsThatTouchAlongAnEdgeCrowdIt)
+TEST(CellSurfaceCheck, VoxelsThatTouchAlongAnEdgeAreClosedButNoSpheres)
 {
   const auto check = tissue::CheckCellSurfaces(MakeVoxelWallMesh({ { 2, 2, 1 } }, { 1, 0, 0, 1 }), 2);
   EXPECT_EQ(check.cells[1].numberOfCrowdedEdges, 1);
+  EXPECT_TRUE(check.cells[1].IsClosed());
+  EXPECT_DOUBLE_EQ(check.cells[1].volume, 2.0);
+  EXPECT_FALSE(check.cells[1].HasOnlySpheres());
+  EXPECT_EQ(check.cellsThatAreNoSphere, std::vector<tissue::VertexId>{ 1 });
+}
+
+TEST(CellSurfaceCheck, ATriangleTooManyIsNotClosed)
+{
+  tissue::WallMesh mesh = MakeVoxelWallMesh({ { 1, 1, 1 } }, { 1 });
+  // Twice the same, so that each of its edges is in three triangles.
+  mesh.triangles.push_back(mesh.triangles.back());
+  mesh.wallOfTriangle.push_back(mesh.wallOfTriangle.back());
+  const auto check = tissue::CheckCellSurfaces(mesh, 2);
+  EXPECT_EQ(check.cells[1].numberOfOpenEdges, 0);
+  EXPECT_EQ(check.cells[1].numberOfMisorientedEdges, 3);
   EXPECT_FALSE(check.cells[1].IsClosed());
 }
 
