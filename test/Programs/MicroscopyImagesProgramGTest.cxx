@@ -195,6 +195,50 @@ TEST_F(MicroscopyImages, OfSeveralChannelsOrFramesAreRefusedUntilOneIsChosen)
   EXPECT_EQ(this->Run("reference.vtp a.tif --channel 2 --frame 2"), 0) << m_Errors;
 }
 
+TEST_F(MicroscopyImages, OfVectorsAndFourDimensionsAreStacksOfWhichOneIsChosen)
+{
+  const auto tissue = MakeTissue<unsigned short>();
+  const auto size = tissue->GetLargestPossibleRegion().GetSize();
+  // The labels are the second component, and the third frame; the others are zeros.
+  using VectorImage = itk::Image<itk::Vector<unsigned short, 2>, 3>;
+  const auto vectors = VectorImage::New();
+  vectors->CopyInformation(tissue);
+  vectors->SetRegions(size);
+  vectors->Allocate(true);
+  using SeriesImage = itk::Image<unsigned short, 4>;
+  const auto series = SeriesImage::New();
+  series->SetRegions(itk::Size<4>{ { size[0], size[1], size[2], 3 } });
+  const double spacing[] = { tissue->GetSpacing()[0], tissue->GetSpacing()[1], tissue->GetSpacing()[2], 7.0 };
+  series->SetSpacing(spacing);
+  series->Allocate(true);
+  const auto number = tissue->GetLargestPossibleRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    vectors->GetBufferPointer()[i][1] = tissue->GetBufferPointer()[i];
+    series->GetBufferPointer()[2 * number + i] = tissue->GetBufferPointer()[i];
+  }
+  for (const char * name : { "vectors.mha", "vectors.nrrd", "vectors.nii.gz" })
+  {
+    this->WriteImage(vectors.GetPointer(), name);
+    this->ExpectRefusal(std::string(name) + " walls.vtp", { name, "the file has 2 channels", "--channel 1 to 2" });
+    this->ExpectRefusal(std::string(name) + " walls.vtp --channel 3", { "2 channels, there is no channel 3" });
+    this->ExpectReference(std::string(name) + " --channel 2");
+  }
+  for (const char * name : { "series.mha", "series.nrrd", "series.nii" })
+  {
+    this->WriteImage(series.GetPointer(), name);
+    this->ExpectRefusal(std::string(name) + " walls.vtp", { name, "the file has 3 frames", "--frame 1 to 3" });
+    this->ExpectReference(std::string(name) + " --frame 3");
+  }
+  this->ChangeNifti("series.nii", [](nifti_1_header & header) { header.xyzt_units = NIFTI_UNITS_MICRON; });
+  ASSERT_EQ(this->Run("series.nii walls.vtp --refinement 0 --frame 3"), 0) << m_Errors;
+  EXPECT_NE(m_Errors.find("micrometres"), std::string::npos) << m_Errors;
+  std::filesystem::resize_file(this->PathOf("series.nii"), 20000);
+  this->ExpectRefusal("series.nii walls.vtp --frame 1", { "series.nii: the file is cut off" });
+  m_Program = NUCLEI_DETECTION_PROGRAM;
+  this->ExpectRefusal("series.mha points.csv", { "series.mha: ", "3 frames", "--frame 1 to 3" });
+}
+
 TEST_F(MicroscopyImages, OfUnknownSizeAreWarnedOfByAllPrograms)
 {
   this->WriteTissueTIFF<std::uint16_t>("a.tif", {});

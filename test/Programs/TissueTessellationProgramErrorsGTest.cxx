@@ -85,7 +85,7 @@ TEST_F(TissueTessellationAppErrors, ImagesThatAreNoLabelImages)
   colored->SetRegions(itk::Size<3>{ { 8, 8, 8 } });
   colored->Allocate(true);
   this->WriteImage(colored.GetPointer(), "colored.mha");
-  this->ExpectRefusal("colored.mha walls.vtp", { "the image has 3 components a voxel, a label image has 1" });
+  this->ExpectRefusal("colored.mha walls.vtp", { "the file has 3 channels, of which one is read: --channel 1 to 3" });
   const auto floating = itk::Image<float, 3>::New();
   floating->SetRegions(itk::Size<3>{ { 8, 8, 8 } });
   floating->Allocate();

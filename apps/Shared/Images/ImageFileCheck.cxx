@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Shared/Images/ImageFileCheck.h"
 
+#include "Shared/Images/ChosenStackImageIO.h"
+
 #include <itkMetaDataObject.h>
 #include <itk_zlib.h>
 
@@ -52,8 +54,9 @@ CountNeededBytes(const itk::ImageIOBase * io)
 } // namespace
 
 void
-RequireAllVoxels(const std::string & path, const itk::ImageIOBase * io)
+RequireAllVoxels(const std::string & path, const itk::ImageIOBase * image)
 {
+  const itk::ImageIOBase * const                    io = SourceOf(image);
   static const std::map<std::string, std::uint64_t> leastHeaders{
     { "NiftiImageIO", 352 }, { "GiplImageIO", 256 }, { "MRCImageIO", 1024 }, { "VTKImageIO", 0 }
   };
@@ -75,7 +78,7 @@ RequireAllVoxels(const std::string & path, const itk::ImageIOBase * io)
 std::vector<std::string>
 JudgeMessages(const std::string & messages, const itk::ImageIOBase * io)
 {
-  const std::string        format = io->GetNameOfClass();
+  const std::string        format = SourceOf(io)->GetNameOfClass();
   const bool               speaksOfErrors = format == "MetaImageIO" || format == "TIFFImageIO";
   std::vector<std::string> warnings;
   std::istringstream       lines(messages);

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Images/ImageInput.h"
 
+#include "Shared/Images/ChosenStackImageIO.h"
 #include "itkStackHDF5ImageIO.h"
 #include "itkStackImageIOFactory.h"
 
@@ -34,7 +35,7 @@ double
 FieldOfNifti(const itk::ImageIOBase * io, const std::string & name)
 {
   std::string value;
-  const bool  isNifti = io->GetNameOfClass() == std::string("NiftiImageIO");
+  const bool  isNifti = SourceOf(io)->GetNameOfClass() == std::string("NiftiImageIO");
   return isNifti && itk::ExposeMetaData<std::string>(io->GetMetaDataDictionary(), name, value)
            ? std::strtod(value.c_str(), nullptr)
            : 0.0;
@@ -136,6 +137,21 @@ RequireChoice(const itk::ImageIOBase * io, const ImageOptions & options)
   }
 }
 
+/** \throws std::runtime_error where a choice is missing that the options could make. */
+void
+ReadHeader(itk::ImageIOBase * io, const ImageOptions & options)
+{
+  try
+  {
+    io->ReadImageInformation();
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    RequireChoice(io, options);
+    throw;
+  }
+}
+
 /** How many layers a segmentation of 3D Slicer has; 0 for another image. */
 unsigned int
 CountSegmentationLayers(const itk::ImageIOBase * io)
@@ -146,6 +162,31 @@ CountSegmentationLayers(const itk::ImageIOBase * io)
                               itk::ExposeMetaData(dictionary, "Segment0_Name", segment) ||
                               std::string(io->GetFileName()).find(".seg.nrrd") != std::string::npos;
   return isSegmentation ? io->GetNumberOfComponents() : 0;
+}
+
+/** The reader itself where it reads one stack, or one that reads the stack that the options choose. */
+itk::ImageIOBase::Pointer
+ChooseStack(itk::ImageIOBase * io, const ImageOptions & options)
+{
+  const unsigned int layers = CountSegmentationLayers(io);
+  if (layers > 1 && options.channel == 0)
+  {
+    throw std::runtime_error("the file is a segmentation of " + std::to_string(layers) +
+                             " layers (3D Slicer), whose segments overlap, and one is read: " + options.channelOption +
+                             " 1 to " + std::to_string(layers) +
+                             " chooses it, or Slicer exports the segments as a labelmap, or collapses the layers");
+  }
+  if (AsStack(io) != nullptr || !ChosenStackImageIO::IsFor(io))
+  {
+    return io;
+  }
+  const auto stack = ChosenStackImageIO::New();
+  stack->SetSource(io);
+  stack->SetChannel(options.channel);
+  stack->SetFrame(options.frame);
+  stack->SetFileName(io->GetFileName());
+  ReadHeader(stack, options);
+  return stack.GetPointer();
 }
 } // namespace
 
@@ -175,17 +216,10 @@ OpenImage(const std::string & path, const ImageOptions & options, ImageKind kind
     hdf5->SetPrefersIntegers(kind == ImageKind::Labels);
   }
   io->SetFileName(path);
-  try
-  {
-    io->ReadImageInformation();
-  }
-  catch (const itk::ExceptionObject &)
-  {
-    RequireChoice(io, options);
-    throw;
-  }
-  RequireChannelAndFrame(io, options);
-  return io;
+  ReadHeader(io, options);
+  const itk::ImageIOBase::Pointer chosen = ChooseStack(io, options);
+  RequireChannelAndFrame(chosen, options);
+  return chosen;
 }
 
 void
@@ -199,18 +233,7 @@ RequireVolume(const itk::ImageIOBase * io, const std::string & kind)
   }
   if (dimensions != 3)
   {
-    const std::string frames =
-      dimensions == 4 ? " (" + std::to_string(io->GetDimensions(3)) + " frames or channels: save one of them alone)"
-                      : std::string();
-    throw std::runtime_error("the image has " + std::to_string(dimensions) + " dimensions" + frames + ", " + kind +
-                             " has 3");
-  }
-  const unsigned int layers = CountSegmentationLayers(io);
-  if (layers > 1)
-  {
-    throw std::runtime_error("the file is a segmentation of " + std::to_string(layers) +
-                             " layers (3D Slicer), whose segments overlap, " + kind +
-                             " has one: Slicer exports it as a labelmap, or collapses its layers");
+    throw std::runtime_error("the image has " + std::to_string(dimensions) + " dimensions, " + kind + " has 3");
   }
   if (io->GetNumberOfComponents() != 1)
   {
