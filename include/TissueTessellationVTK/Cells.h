@@ -166,9 +166,9 @@ MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const Cell
 /** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
  *
  * The points are those of MakeWallPolyData, the faces the triangles of the cell's walls, turned outwards. The cell
- * arrays are the columns of MakeCellTable; the field array `SPACE` is `LPS`. A cell without a triangle is left out; one
- * that is not closed is kept, and its `IsClosed` is 0. `check` is the result of CheckCellSurfaces for `mesh` and
- * `cells.size()`. */
+ * arrays are the columns of MakeCellTable. There is no array of text, so that meshio reads the file. A cell without a
+ * triangle is left out; one that is not closed is kept, and its `IsClosed` is 0. `check` is the result of
+ * CheckCellSurfaces for `mesh` and `cells.size()`. */
 inline vtkSmartPointer<vtkUnstructuredGrid>
 MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
 {
@@ -196,7 +196,6 @@ MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellS
     }
   }
   bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, vertices);
-  bridge::AddCoordinateSystem(grid);
   return grid;
 }
 } // namespace tissue

@@ -9,6 +9,7 @@
 #include "Shared/CommandLine/OptionChecks.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Pictures/PictureObstacle.h"
+#include "Shared/Simulation/SimulationModel.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,11 +21,23 @@ namespace tissue
 std::vector<OutputPaths::Output>
 OutputPaths::List() const
 {
-  std::vector<Output> outputs{ { walls, "cell walls" },    { complex, "adjacency complex" },
-                               { cells, "cells" },         { statistics, "statistics of the cells" },
-                               { junctions, "junctions" }, { report, "report" },
+  std::vector<Output> outputs{ { walls, "cell walls" },
+                               { complex, "adjacency complex" },
+                               { cells, "cells" },
+                               { cellSurfaces, "surfaces of the cells" },
+                               { statistics, "statistics of the cells" },
+                               { junctions, "junctions" },
+                               { report, "report" },
                                { picture, "picture" } };
-  const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
+  for (const std::string & simulation : simulations)
+  {
+    outputs.push_back({ simulation, "model for a simulation" });
+    if (IsGmshModel(simulation))
+    {
+      outputs.push_back({ GmshWallsBeside(simulation), "walls of the model" });
+    }
+  }
+  const auto isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
   return outputs;
 }
@@ -41,6 +54,15 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
   };
   add("--complex", paths.complex, ".vtu", "The adjacency complex");
   add("--cells", paths.cells, ".vtu", "The cells as polyhedra, with their statistics");
+  add(
+    "--cellSurfaces", paths.cellSurfaces, ".vtp", "The closed surface of each cell, walls twice, with its statistics");
+  app
+    .add_option("--simulation",
+                paths.simulations,
+                "A model to mesh the cells: .geo for Gmsh (with a .msh beside it), .smesh for TetGen; may be repeated")
+    ->type_name("FILE")
+    ->check(EndsIn(".geo") | EndsIn(".smesh"))
+    ->group("Further outputs");
   add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
   add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");
   add("--report", paths.report, ".json", "Report of the run");

@@ -20,10 +20,13 @@ struct OutputPaths
   std::string walls;
   std::string complex;
   std::string cells;
+  std::string cellSurfaces;
   std::string statistics;
   std::string junctions;
   std::string report;
   std::string picture;
+  /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
+  std::vector<std::string> simulations;
 
   struct Output
   {

@@ -10,15 +10,19 @@
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Simulation/SimulationModel.h"
 #include "TissueTessellationVTKBridge.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <filesystem>
 
 namespace tissue
 {
@@ -41,6 +45,31 @@ AddNames(vtkFieldData * columns, const std::map<Label, std::string> & names)
     column->InsertNextValue(name == names.end() ? std::string() : name->second);
   }
   columns->AddArray(column);
+}
+
+void
+AddSimulations(const std::vector<std::string> & models, const WallMesh & walls, const std::vector<Cell> & cells,
+               OutputFiles & files)
+{
+  if (models.empty())
+  {
+    return;
+  }
+  const SimulationModel model(walls, cells);
+  for (const std::string & name : models)
+  {
+    if (IsGmshModel(name))
+    {
+      const std::string beside = GmshWallsBeside(name);
+      const std::string merged = std::filesystem::path(beside).filename().string();
+      files.Add(beside, [&](const std::string & path) { model.WriteGmshWalls(path); });
+      files.Add(name, [&](const std::string & path) { model.WriteGmshModel(path, merged); });
+    }
+    else
+    {
+      files.Add(name, [&](const std::string & path) { model.WriteTetGenModel(path); });
+    }
+  }
 }
 } // namespace
 
@@ -67,6 +96,12 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     AddNames(grid->GetCellData(), report.input.names);
     WriteXML(grid, path);
   });
+  add(paths.cellSurfaces, [&](const std::string & path) {
+    const auto surfaces = MakeCellSurfaces(walls, cells, check);
+    AddNames(surfaces->GetCellData(), report.input.names);
+    WriteXML(surfaces, path);
+  });
+  AddSimulations(paths.simulations, walls, cells, files);
   add(paths.statistics, [&](const std::string & path) {
     const auto table = MakeCellTable(walls, cells, check);
     AddNames(table->GetRowData(), report.input.names);
