@@ -6,7 +6,6 @@
  *=========================================================================*/
 #include "Nerve/HandleCutting.h"
 
-#include "Nerve/BlockRow.h"
 #include "Nerve/KuhnWall.h"
 #include "Nerve/VoxelBox.h"
 
@@ -563,42 +562,32 @@ private:
   std::set<VertexId> m_Scaffolds;
 };
 
-/** What the blocks of a plane add to the Euler characteristics, by vertex. */
-std::map<VertexId, std::int32_t>
-EulerTermsOfPlane(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t z)
-{
-  std::map<VertexId, std::int32_t> terms;
-  for (std::int32_t y = 0; y < volume.size[1]; ++y)
-  {
-    BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t, const BlockVoxels & voxels) {
-      const std::int8_t term = voxels[0] != ExteriorVertex ? EulerTerm(voxels) : 0;
-      if (term != 0)
-      {
-        terms[voxels[0]] += term;
-      }
-    });
-  }
-  return terms;
-}
 } // namespace
+
+void
+EulerGathering::Add(const CrowdedBlock & block)
+{
+  const VertexId    vertex = block.cells[0];
+  const std::int8_t term = vertex != ExteriorVertex ? EulerTerm(block.cells) : 0;
+  if (term != 0)
+  {
+    m_Sums[static_cast<std::size_t>(vertex)].fetch_add(term, std::memory_order_relaxed);
+  }
+}
+
+std::vector<std::int32_t>
+EulerGathering::GetCharacteristics() const
+{
+  return std::vector<std::int32_t>(m_Sums.begin(), m_Sums.end());
+}
 
 std::vector<std::int32_t>
 FindEulerCharacteristics(const LabelVolume & volume, VertexId numberOfVertices, const Execution & execution)
 {
-  const std::vector<VertexId>                   outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
-  std::vector<std::map<VertexId, std::int32_t>> ofPlane(static_cast<std::size_t>(volume.size[2]));
-  execution.For(ofPlane.size(), [&](std::size_t plane) {
-    ofPlane[plane] = EulerTermsOfPlane(volume, outside, static_cast<std::int32_t>(plane));
-  });
-  std::vector<std::int32_t> characteristics(static_cast<std::size_t>(numberOfVertices), 0);
-  for (const auto & terms : ofPlane)
-  {
-    for (const auto & [vertex, term] : terms)
-    {
-      characteristics[static_cast<std::size_t>(vertex)] += term;
-    }
-  }
-  return characteristics;
+  EulerGathering gathering(numberOfVertices);
+  VisitVariedBlocks(
+    volume, [&](std::size_t, const CrowdedBlock & block) { gathering.Add(block); }, execution);
+  return gathering.GetCharacteristics();
 }
 
 HandleCuts

@@ -7,8 +7,10 @@
 #ifndef TissueTessellationCore_HandleCutting_h
 #define TissueTessellationCore_HandleCutting_h
 
+#include "Nerve/PlaneScan.h"
 #include "Nerve/PlaceUpdate.h"
-#include "TissueTessellationCore/Common/Execution.h"
+
+#include <atomic>
 
 namespace tissue
 {
@@ -46,6 +48,26 @@ struct HandleCuts
  *        a handle. */
 HandleCuts
 CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics);
+
+/** \brief Adds up the Euler characteristics of the regions of all vertices from the blocks that it is shown, in any
+ * order: those in which there is something to know (PlaneScan.h). */
+class EulerGathering
+{
+public:
+  explicit EulerGathering(VertexId numberOfVertices)
+    : m_Sums(static_cast<std::size_t>(numberOfVertices))
+  {}
+
+  void
+  Add(const CrowdedBlock & block);
+
+  /** As of FindEulerCharacteristics(). */
+  std::vector<std::int32_t>
+  GetCharacteristics() const;
+
+private:
+  std::vector<std::atomic<std::int32_t>> m_Sums;
+};
 
 /** The Euler characteristic of each vertex's region in the Kuhn subdivision, pieces - handles + cavities; 0 for the
  * exterior, which has no end. */

@@ -4,6 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Nerve/PlaneScan.h"
 #include "Nerve/WallPart.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
@@ -41,27 +42,6 @@ AreEqual(const VertexPair & a, const VertexPair & b)
   return a[0] == b[0] && a[1] == b[1];
 }
 
-/** A plane of voxels with a border of one voxel of exterior. */
-struct LabelPlane
-{
-  std::int32_t          width;
-  std::int32_t          height;
-  std::vector<VertexId> labels;
-};
-
-LabelPlane
-ReadPlane(const LabelVolume & volume, std::int32_t z)
-{
-  LabelPlane plane{ volume.size[0] + 2, volume.size[1] + 2, {} };
-  plane.labels.assign(static_cast<std::size_t>(plane.width) * plane.height, ExteriorVertex);
-  for (std::int32_t y = 0; z >= 0 && z < volume.size[2] && y < volume.size[1]; ++y)
-  {
-    const auto row = volume.vertices.begin() + (static_cast<std::ptrdiff_t>(z) * volume.size[1] + y) * volume.size[0];
-    std::copy(row, row + volume.size[0], plane.labels.begin() + (y + 1) * static_cast<std::ptrdiff_t>(plane.width) + 1);
-  }
-  return plane;
-}
-
 /** The parts that the faces at the upper sides of a voxel belong to, by axis. */
 using FacesOfVoxel = std::array<FaceId, 3>;
 constexpr FacesOfVoxel NoFaces{ { None, None, None } };
@@ -86,26 +66,29 @@ using FacesAround = std::array<FaceId, 6>;
 class WallScan
 {
 public:
-  WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
-    : m_Plane(ReadPlane(volume, begin))
+  /** \param visitBlock is called with the blocks of the slab in which there is something to know. */
+  template <typename TVisitBlock>
+  WallScan(const LabelVolume & volume, const Slab & slab, const TVisitBlock & visitBlock)
   {
-    m_Below.assign(m_Plane.labels.size(), NoFaces);
+    PlaneScan scan(volume, slab.begin);
+    m_Below.assign(scan.Size(), NoFaces);
     m_Last = m_Below;
-    for (std::int32_t z = begin; z < end; ++z)
+    for (std::int32_t z = slab.begin; z < slab.end; ++z)
     {
-      LabelPlane next = ReadPlane(volume, z + 1);
+      if (z > slab.begin)
+      {
+        scan.Advance();
+      }
       std::swap(m_Below, m_Last);
       this->ClearLast();
-      this->FindFaces(next, z);
-      if (z == begin)
+      scan.Visit([&](std::size_t p, const VoxelIndex & voxel) { this->AddFacesOfVoxel(scan, p, voxel); }, visitBlock);
+      if (z == slab.begin)
       {
         m_First = this->ListLast();
       }
-      m_Plane = std::move(next);
     }
     m_LastList = this->ListLast();
     // Scans are kept until all are done: without their planes.
-    m_Plane = {};
     m_Below = PlaneFaces();
     m_Last = PlaneFaces();
   }
@@ -169,57 +152,15 @@ private:
     return face;
   }
 
-  /** Whether voxels of a plane have no faces at their upper sides, as nearly everywhere. */
-  bool
-  HaveNoFaces(const LabelPlane & next, std::size_t begin, std::size_t end) const
-  {
-    const VertexId * labels = m_Plane.labels.data();
-    const VertexId * behind = labels + m_Plane.width;
-    const VertexId * above = next.labels.data();
-    VertexId         differences = 0;
-    for (std::size_t p = begin; p < end; ++p)
-    {
-      differences |= (labels[p] ^ labels[p + 1]) | (labels[p] ^ behind[p]) | (labels[p] ^ above[p]);
-    }
-    return differences == 0;
-  }
-
-  void
-  FindFaces(const LabelPlane & next, std::int32_t z)
-  {
-    constexpr std::int32_t stretch = 16;
-    const auto             width = static_cast<std::size_t>(m_Plane.width);
-    for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
-    {
-      const std::size_t row = static_cast<std::size_t>(y) * width;
-      for (std::int32_t begin = 0; begin + 1 < m_Plane.width; begin += stretch)
-      {
-        const std::int32_t end = std::min(begin + stretch, m_Plane.width - 1);
-        if (!this->HaveNoFaces(next, row + static_cast<std::size_t>(begin), row + static_cast<std::size_t>(end)))
-        {
-          for (std::int32_t x = begin; x < end; ++x)
-          {
-            this->AddFacesOfVoxel(next, row + static_cast<std::size_t>(x), { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
-          }
-        }
-      }
-    }
-  }
-
   /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
    * has none at its lower sides. */
   void
-  AddFacesOfVoxel(const LabelPlane & next, std::size_t p, const std::array<std::int64_t, 3> & twice)
+  AddFacesOfVoxel(const PlaneScan & scan, std::size_t p, const VoxelIndex & voxel)
   {
-    const std::size_t             width = static_cast<std::size_t>(m_Plane.width);
-    const std::array<VertexId, 4> labels{
-      { m_Plane.labels[p], m_Plane.labels[p + 1], m_Plane.labels[p + width], next.labels[p] }
-    };
-    if (labels[1] == labels[0] && labels[2] == labels[0] && labels[3] == labels[0])
-    {
-      return;
-    }
-    const auto & last = m_Last;
+    const std::size_t                 width = scan.Width();
+    const std::array<VertexId, 4>     labels = scan.CellsAt(p);
+    const std::array<std::int64_t, 3> twice{ { 2 * voxel[0], 2 * voxel[1], 2 * voxel[2] } };
+    const auto &                      last = m_Last;
     m_Touched.push_back(p);
     if (labels[1] != labels[0])
     {
@@ -272,7 +213,6 @@ private:
     m_Touched.clear();
   }
 
-  LabelPlane               m_Plane;
   std::vector<VoxelFaces>  m_First;
   std::vector<VoxelFaces>  m_LastList;
   PlaneFaces               m_Below;
@@ -421,20 +361,24 @@ ComesBefore(const ImageWall & a, const ImageWall & b)
 std::vector<ImageWall>
 FindImageWalls(const LabelVolume & volume, const Execution & execution)
 {
-  // Planes of a slab: few slabs, as each keeps two planes of faces, and yet one for each of many threads.
-  constexpr std::int32_t  planesPerSlab = 32;
+  return FindImageWalls(
+    volume, [](std::size_t, const CrowdedBlock &) {}, execution);
+}
+
+std::vector<ImageWall>
+FindImageWalls(const LabelVolume & volume, const BlockVisitor & visit, const Execution & execution)
+{
   constexpr std::size_t   slabsAtOnce = 8;
-  const std::int32_t      planes = volume.size[2] + 1;
-  const auto              count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
+  const std::vector<Slab> slabs = SlabsOf(volume);
   const std::size_t       width = static_cast<std::size_t>(volume.size[0]) + 2;
   WallJoin                join(width * (static_cast<std::size_t>(volume.size[1]) + 2));
   std::vector<VoxelFaces> below;
-  for (std::size_t first = 0; first < count; first += slabsAtOnce)
+  for (std::size_t first = 0; first < slabs.size(); first += slabsAtOnce)
   {
-    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, count - first));
+    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, slabs.size() - first));
     execution.For(scans.size(), [&](std::size_t i) {
-      const auto begin = static_cast<std::int32_t>(first + i) * planesPerSlab - 1;
-      scans[i].emplace(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
+      const std::size_t slab = first + i;
+      scans[i].emplace(volume, slabs[slab], [&](const CrowdedBlock & block) { visit(slab, block); });
     });
     for (auto & scan : scans)
     {

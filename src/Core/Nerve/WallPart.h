@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_WallPart_h
 #define TissueTessellationCore_WallPart_h
 
+#include "Nerve/PlaneScan.h"
 #include "Nerve/TissuePlaces.h"
 
 namespace tissue
@@ -35,6 +36,10 @@ struct WallPart
 /** The wall that has these faces and no other. */
 ImageWall
 ToImageWall(const LabelVolume & volume, const WallPart & part);
+
+/** The walls, and in the same reading of the image the blocks in which there is something to know. */
+std::vector<ImageWall>
+FindImageWalls(const LabelVolume & volume, const BlockVisitor & visit, const Execution & execution);
 
 /** The order of TissuePlaces: of walls of the same cells and size that with the first face in raster order first. */
 bool
