@@ -67,7 +67,8 @@ public:
       {
         std::uint64_t word = 0;
         std::memcpy(&word, flags + begin, WordSize);
-        for (std::size_t x = begin; word != 0 && x < std::min(begin + WordSize, m_Width - 1); ++x)
+        const std::size_t end = word == 0 ? begin : std::min(begin + WordSize, m_Width - 1);
+        for (std::size_t x = begin; x < end; ++x)
         {
           const VoxelIndex voxel{ { static_cast<std::int32_t>(x) - 1, static_cast<std::int32_t>(y) - 1, m_Z } };
           if ((flags[x] & HasFaces) != 0)

@@ -31,6 +31,17 @@ struct WallPart
       sum[axis] += twiceCenter[axis];
     }
   }
+
+  /** Those of another part of the same wall, whose first face comes after this one's. */
+  void
+  AddFaces(const WallPart & part)
+  {
+    numberOfFaces += part.numberOfFaces;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] += part.sum[axis];
+    }
+  }
 };
 
 /** The wall that has these faces and no other. */
