@@ -18,8 +18,9 @@ namespace tissue
 {
 namespace
 {
+/** Index of the part of a wall that a face belongs to; the first part is that of no faces. */
 using FaceId = std::int32_t;
-constexpr FaceId None = -1;
+constexpr FaceId None = 0;
 
 /** The voxels at the sides of a face, by twice its centre: one coordinate is odd. */
 std::array<VoxelIndex, 2>
@@ -124,6 +125,7 @@ public:
     , m_RowBelow(m_Width)
     , m_RowBelowNext(m_Width)
   {
+    this->AddPart({ { ExteriorVertex, ExteriorVertex } }, { { 0, 0, 0 } });
     PlaneScan scan(volume, slab.begin);
     for (std::int32_t z = slab.begin; z < slab.end; ++z)
     {
@@ -198,35 +200,60 @@ private:
     }
   }
 
-  /** Most faces need no new part: they get that of one around them that is of the same cells. */
+  /** Most faces need no new part: they get that of one around them that is of the same cells. Without branches for
+   * each of these, which nothing would foretell. */
   FaceId
   AddFace(VertexId a, VertexId b, const FacesAround & around, const std::array<std::int64_t, 3> & center)
   {
-    const VertexPair cells{ { std::min(a, b), std::max(a, b) } };
-    FaceId           face = None;
+    const VertexPair   cells{ { std::min(a, b), std::max(a, b) } };
+    const std::int64_t key = KeyOf(cells);
+    FaceId             face = None;
+    for (std::size_t i = around.size(); i-- > 0;)
+    {
+      face = m_KeyOf[static_cast<std::size_t>(around[i])] == key ? around[i] : face;
+    }
+    if (face == None)
+    {
+      face = static_cast<FaceId>(m_Parts.size());
+      this->AddPart(cells, center);
+    }
+    FaceId differences = 0;
     for (const FaceId other : around)
     {
-      if (other == None || other == face || !AreEqual(m_CellsOf[other], cells))
-      {
-        continue;
-      }
-      if (face == None)
-      {
-        face = other;
-      }
-      else
+      differences |= m_KeyOf[static_cast<std::size_t>(other)] == key ? other ^ face : 0;
+    }
+    if (differences != 0)
+    {
+      this->Join(face, around);
+    }
+    m_Parts[static_cast<std::size_t>(face)].AddFace(center);
+    return face;
+  }
+
+  void
+  Join(FaceId face, const FacesAround & around)
+  {
+    for (const FaceId other : around)
+    {
+      if (m_KeyOf[static_cast<std::size_t>(other)] == m_KeyOf[static_cast<std::size_t>(face)])
       {
         m_Sets.Unite(face, other);
       }
     }
-    if (face == None)
-    {
-      face = static_cast<FaceId>(m_Sets.Add());
-      m_CellsOf.push_back(cells);
-      m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, center });
-    }
-    m_Parts[face].AddFace(center);
-    return face;
+  }
+
+  void
+  AddPart(const VertexPair & cells, const std::array<std::int64_t, 3> & firstCenter)
+  {
+    m_Sets.Add();
+    m_KeyOf.push_back(KeyOf(cells));
+    m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, firstCenter });
+  }
+
+  static std::int64_t
+  KeyOf(const VertexPair & cells)
+  {
+    return std::int64_t{ cells[0] } << 32 | cells[1];
   }
 
   /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
@@ -294,13 +321,13 @@ private:
       {
         for (FaceId & face : voxel.faces)
         {
-          face = face == None ? None : rank[static_cast<std::size_t>(face)];
+          face = rank[static_cast<std::size_t>(face)];
         }
       }
       plane->shrink_to_fit();
     }
     m_Parts.swap(whole);
-    m_CellsOf = std::vector<VertexPair>();
+    m_KeyOf = std::vector<std::int64_t>();
     m_Sets = DisjointSets();
   }
 
@@ -316,9 +343,9 @@ private:
   /** The first one below that is not yet in a row. */
   std::size_t           m_NextBelow = 0;
   std::vector<WallPart> m_Parts;
-  /** Of the parts, once more: every face asks for those around it. */
-  std::vector<VertexPair> m_CellsOf;
-  DisjointSets            m_Sets;
+  /** The cells of the parts: every face asks for those of the faces around it. */
+  std::vector<std::int64_t> m_KeyOf;
+  DisjointSets              m_Sets;
 };
 
 /** The parts of the slabs so far, and what is joined of them. */

@@ -7,6 +7,7 @@
 #include "Nerve/PlaneScan.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace tissue
 {
@@ -95,6 +96,27 @@ PlaneScan::Compare()
     const std::uint8_t isVaried = (isAlongX & isAlongY & isAlongZ) | isAroundX | isAroundY | isAroundZ;
     flags[p] = static_cast<std::uint8_t>(IsVaried * isVaried + (x[p] | y[p] | z[p]));
   }
+}
+
+std::size_t
+PlaneScan::FindPlaces(std::size_t y, std::vector<std::uint32_t> & places) const
+{
+  const std::uint8_t * const flags = m_Flags.data() + y * m_Width;
+  const std::size_t          end = m_Width - 1;
+  std::size_t                count = 0;
+  for (std::size_t begin = 0; begin < end; begin += WordSize)
+  {
+    std::uint64_t word = 0;
+    std::memcpy(&word, flags + begin, WordSize);
+    const std::size_t endOfWord = word == 0 ? begin : std::min(begin + WordSize, end);
+    for (std::size_t x = begin; x < endOfWord; ++x)
+    {
+      // Nothing would foretell a branch here.
+      places[count] = static_cast<std::uint32_t>(x);
+      count += flags[x] != 0 ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 std::vector<Slab>

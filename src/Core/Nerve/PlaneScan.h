@@ -10,7 +10,6 @@
 #include "Nerve/CrowdedBlocks.h"
 
 #include <cstdint>
-#include <cstring>
 #include <functional>
 
 namespace tissue
@@ -60,25 +59,21 @@ public:
   void
   Visit(const TVisitFaces & visitFaces, const TVisitBlock & visitBlock) const
   {
-    for (std::size_t y = 0; y + 1 < m_Size[1] + 2; ++y)
+    std::vector<std::uint32_t> places(m_Width);
+    for (std::size_t y = 0; y <= m_Size[1]; ++y)
     {
-      const std::uint8_t * const flags = m_Flags.data() + y * m_Width;
-      for (std::size_t begin = 0; begin < m_Width - 1; begin += WordSize)
+      const std::size_t count = this->FindPlaces(y, places);
+      for (std::size_t i = 0; i < count; ++i)
       {
-        std::uint64_t word = 0;
-        std::memcpy(&word, flags + begin, WordSize);
-        const std::size_t end = word == 0 ? begin : std::min(begin + WordSize, m_Width - 1);
-        for (std::size_t x = begin; x < end; ++x)
+        const std::size_t p = y * m_Width + places[i];
+        const VoxelIndex  voxel{ { static_cast<std::int32_t>(places[i]) - 1, static_cast<std::int32_t>(y) - 1, m_Z } };
+        if ((m_Flags[p] & HasFaces) != 0)
         {
-          const VoxelIndex voxel{ { static_cast<std::int32_t>(x) - 1, static_cast<std::int32_t>(y) - 1, m_Z } };
-          if ((flags[x] & HasFaces) != 0)
-          {
-            visitFaces(y * m_Width + x, voxel);
-          }
-          if ((flags[x] & IsVaried) != 0)
-          {
-            visitBlock(CrowdedBlock{ voxel, this->BlockAt(y * m_Width + x) });
-          }
+          visitFaces(p, voxel);
+        }
+        if ((m_Flags[p] & IsVaried) != 0)
+        {
+          visitBlock(CrowdedBlock{ voxel, this->BlockAt(p) });
         }
       }
     }
@@ -106,6 +101,10 @@ private:
 
   void
   Compare();
+
+  /** The places in a row where there is anything, which are the first ones of the list; returns their number. */
+  std::size_t
+  FindPlaces(std::size_t y, std::vector<std::uint32_t> & places) const;
 
   BlockVoxels
   BlockAt(std::size_t p) const
