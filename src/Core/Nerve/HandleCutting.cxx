@@ -7,7 +7,6 @@
 #include "Nerve/HandleCutting.h"
 
 #include "Nerve/KuhnWall.h"
-#include "Nerve/VoxelBox.h"
 
 #include <algorithm>
 #include <bitset>
@@ -393,9 +392,9 @@ class Cutting
 {
 public:
   /** \param characteristics of the volume's vertices (FindEulerCharacteristics()). */
-  Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics)
+  Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics, std::vector<VoxelBox> boxes)
     : m_Volume(volume)
-    , m_Boxes(FindVoxelBoxes(volume, characteristics.size()))
+    , m_Boxes(std::move(boxes))
     , m_Characteristics(std::move(characteristics))
   {}
 
@@ -591,9 +590,9 @@ FindEulerCharacteristics(const LabelVolume & volume, VertexId numberOfVertices, 
 }
 
 HandleCuts
-CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics)
+CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics, std::vector<VoxelBox> boxes)
 {
-  Cutting cutting(volume, std::move(characteristics));
+  Cutting cutting(volume, std::move(characteristics), std::move(boxes));
   for (int pass = 0; pass < MaximumNumberOfPasses; ++pass)
   {
     const std::vector<std::int32_t> ofPass = cutting.GetCharacteristics();

@@ -9,6 +9,7 @@
 
 #include "Nerve/PlaneScan.h"
 #include "Nerve/PlaceUpdate.h"
+#include "Nerve/VoxelBox.h"
 
 #include <atomic>
 
@@ -40,14 +41,14 @@ struct HandleCuts
  * first, by voxels that leave it a ball (simple points: their neighbours in the ball are connected, and so are the
  * others); what is left cuts the handles. Each connected part of it goes to the vertex that it has most faces with. No
  * more than a twenty-fifth of a cell's voxels, or eight, are taken: what needs more, as a scaffold does, is left as
- * it is. Cavities in cells stay, as do the handles of the exterior. The image is read once; beyond that the cost is
- * that of the cells concerned.
+ * it is. Cavities in cells stay, as do the handles of the exterior. The cost is that of the cells concerned.
  *
  * \param volume each of its vertices but the exterior is one piece (FindFragments()); it gets the cuts.
  * \param characteristics of the volume's vertices, by FindEulerCharacteristics(); only where one is not 1 can there be
- *        a handle. */
+ *        a handle.
+ * \param boxes of the volume's vertices, which may be larger than need be. */
 HandleCuts
-CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics);
+CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics, std::vector<VoxelBox> boxes);
 
 /** \brief Adds up the Euler characteristics of the regions of all vertices from the blocks that it is shown, in any
  * order: those in which there is something to know (PlaneScan.h). */

@@ -161,7 +161,7 @@ private:
     {
       m_Topology.volume = m_Volume;
     }
-    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics));
+    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics), m_Topology.fragments.boxes);
     m_Topology.handles = std::move(cuts.cells);
     m_Changes.insert(m_Changes.end(), cuts.changes.begin(), cuts.changes.end());
   }
