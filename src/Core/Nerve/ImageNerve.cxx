@@ -247,6 +247,8 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
 {
   const std::vector<Corner> corners = FindCorners(blocks);
   ImageNerve                nerve{ GeneralComplex(numberOfVertices), {}, {} };
+  nerve.complex.Reserve(corners.size());
+  nerve.corners.reserve(corners.size());
   for (const Corner & corner : corners)
   {
     AddCorner(volume, corner, nerve);
@@ -279,9 +281,11 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
     }
   });
   GlueLines(volume, corners, ends, nerve.complex);
-  for (const std::vector<ImageLine> & ofChunk : lines)
+  nerve.lines.reserve(2 * corners.size());
+  for (std::vector<ImageLine> & ofChunk : lines)
   {
     nerve.lines.insert(nerve.lines.end(), ofChunk.begin(), ofChunk.end());
+    ofChunk = std::vector<ImageLine>();
   }
   return nerve;
 }

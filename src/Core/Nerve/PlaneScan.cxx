@@ -152,11 +152,17 @@ VisitVariedBlocks(const LabelVolume & volume, const BlockVisitor & visit, const 
 std::vector<CrowdedBlock>
 CrowdedBlockGathering::TakeBlocks()
 {
+  std::size_t count = 0;
+  for (const std::vector<CrowdedBlock> & ofSlab : m_OfSlab)
+  {
+    count += ofSlab.size();
+  }
   std::vector<CrowdedBlock> blocks;
+  blocks.reserve(count);
   for (std::vector<CrowdedBlock> & ofSlab : m_OfSlab)
   {
     blocks.insert(blocks.end(), ofSlab.begin(), ofSlab.end());
-    std::vector<CrowdedBlock>().swap(ofSlab);
+    ofSlab = std::vector<CrowdedBlock>();
   }
   return blocks;
 }
