@@ -7,13 +7,17 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
-#include "Nerve/BlockRow.h"
+#include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <vector>
 
 namespace tissue
 {
+/** The vertices of a 2x2x2 block of voxels, the first axis fastest. */
+using BlockVoxels = std::array<VertexId, 8>;
+
 /** A 2x2x2 block of voxels that holds four or more cells: where cells meet in corners. */
 struct CrowdedBlock
 {
@@ -27,7 +31,7 @@ bool
 IsCrowded(const BlockVoxels & voxels);
 
 /** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
- * Planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
+ * Slabs of planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
 std::vector<CrowdedBlock>
 FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution = Execution());
 

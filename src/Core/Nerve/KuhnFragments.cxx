@@ -61,13 +61,16 @@ VisitContacts(TRow & row, const RunRow & before, std::int32_t reach, const TVisi
 class Pieces
 {
 public:
-  explicit Pieces(const LabelVolume & volume)
+  /** \param boxes get the voxels of all vertices. */
+  Pieces(const LabelVolume & volume, std::vector<VoxelBox> & boxes)
     : m_Volume(volume)
   {
-    this->Read([this](std::size_t, const RunRow & runs, const RunRow &, const RunRow &) {
+    this->Read([&](std::size_t row, const RunRow & runs, const RunRow &, const RunRow &) {
+      const VoxelIndex first = this->FirstOfRow(row);
       for (const LabelRun & run : runs)
       {
         m_Voxels[static_cast<std::size_t>(run.part)] += run.end - run.begin;
+        AddRun(run, first, boxes[static_cast<std::size_t>(run.vertex)]);
       }
     });
     for (std::size_t part = 0; part < m_Voxels.size(); ++part)
@@ -107,6 +110,21 @@ public:
       this->AddParts(plane[y], next);
       visit(row, plane[y], near, below[y]);
     }
+  }
+
+  VoxelIndex
+  FirstOfRow(std::size_t row) const
+  {
+    const auto rows = static_cast<std::size_t>(m_Volume.size[1]);
+    return { { 0, static_cast<std::int32_t>(row % rows), static_cast<std::int32_t>(row / rows) } };
+  }
+
+  /** \param first voxel of the row. */
+  static void
+  AddRun(const LabelRun & run, const VoxelIndex & first, VoxelBox & box)
+  {
+    box.Add({ { run.begin, first[1], first[2] } });
+    box.Add({ { run.end - 1, first[1], first[2] } });
   }
 
   PartId
@@ -216,7 +234,8 @@ public:
     : m_Size(volume.size[0])
     , m_NumberOfVertices(numberOfVertices)
     , m_MinimumVoxels(minimumVoxels)
-    , m_Pieces(volume)
+    , m_Boxes(static_cast<std::size_t>(numberOfVertices))
+    , m_Pieces(volume, m_Boxes)
     , m_Largest(FindLargest(m_Pieces, numberOfVertices))
   {}
 
@@ -239,6 +258,7 @@ public:
     }
     if (!isAny)
     {
+      result.boxes = std::move(m_Boxes);
       return result;
     }
     const std::map<PartId, VertexId> large = m_Vertex;
@@ -249,7 +269,9 @@ public:
       result.fragments.push_back(
         { m_Pieces.VertexOf(piece), m_Pieces.VoxelsOf(piece), vertex, large.count(piece) != 0 });
     }
+    m_Boxes.resize(static_cast<std::size_t>(result.numberOfVertices));
     this->AppendRanges(large, result);
+    result.boxes = std::move(m_Boxes);
     return result;
   }
 
@@ -337,17 +359,19 @@ private:
           auto & ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
           ranges.push_back(
             { first + static_cast<std::size_t>(run.begin), first + static_cast<std::size_t>(run.end), at->second });
+          Pieces::AddRun(run, m_Pieces.FirstOfRow(row), m_Boxes[static_cast<std::size_t>(at->second)]);
         }
       }
     });
   }
 
-  std::int32_t        m_Size;
-  VertexId            m_NumberOfVertices;
-  std::int64_t        m_MinimumVoxels;
-  Pieces              m_Pieces;
-  std::vector<PartId> m_Largest;
-  Contacts            m_Contacts;
+  std::int32_t          m_Size;
+  VertexId              m_NumberOfVertices;
+  std::int64_t          m_MinimumVoxels;
+  std::vector<VoxelBox> m_Boxes;
+  Pieces                m_Pieces;
+  std::vector<PartId>   m_Largest;
+  Contacts              m_Contacts;
   /** The vertex of each fragment, large or small. */
   std::map<PartId, VertexId> m_Vertex;
 };
