@@ -110,14 +110,22 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
   attributes->SetActiveScalars("Label");
 }
 
-/** Inserts the polyhedron of a cell from its outward triangles, three points each. */
-inline void
-InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & triangles)
+/** Each of the triangles' points once, ascending. */
+inline std::vector<vtkIdType>
+PointsOf(const std::vector<vtkIdType> & triangles)
 {
   std::vector<vtkIdType> points = triangles;
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<vtkIdType> faces;
+  return points;
+}
+
+/** Inserts the polyhedron of a cell from its outward triangles, three points each. */
+inline void
+InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & triangles)
+{
+  const std::vector<vtkIdType> points = PointsOf(triangles);
+  std::vector<vtkIdType>       faces;
   faces.reserve(triangles.size() / 3 * 4);
   for (std::size_t i = 0; i < triangles.size(); i += 3)
   {
@@ -163,7 +171,10 @@ MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const Cell
   return table;
 }
 
-/** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
+/** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each.
+ *
+ * They are in ascending order of their number of points, and of their labels where that is equal: meshio, which sorts
+ * polyhedra so but leaves their order otherwise, would give cells others' values.
  *
  * The points are those of MakeWallPolyData, the faces the triangles of the cell's walls, turned outwards. The cell
  * arrays are the columns of MakeCellTable. There is no array of text, so that meshio reads the file. A cell without a
@@ -187,13 +198,21 @@ MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellS
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   std::vector<VertexId>                vertices;
   grid->SetPoints(bridge::MakeMeshPoints(mesh));
+  std::vector<std::size_t> numberOfPoints(cells.size(), 0);
   for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
   {
     if (!trianglesOfCell[v].empty())
     {
-      bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
+      numberOfPoints[v] = bridge::PointsOf(trianglesOfCell[v]).size();
       vertices.push_back(static_cast<VertexId>(v));
     }
+  }
+  std::stable_sort(vertices.begin(), vertices.end(), [&numberOfPoints](VertexId a, VertexId b) {
+    return numberOfPoints[a] < numberOfPoints[b];
+  });
+  for (const VertexId v : vertices)
+  {
+    bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
   }
   bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, vertices);
   return grid;

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "Shared/Simulation/CellSolids.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "VoxelWallMesh.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST(CellSolids, VoidsAndCellsWithinBoundTheirCellAndAreVolumesOfTheirOwn)
   ASSERT_EQ(found.solids.size(), 3u);
   EXPECT_EQ(found.solids[0].cell, 1);
   EXPECT_EQ(found.solids[0].surfaces.size(), 3u);
-  EXPECT_DOUBLE_EQ(found.solids[0].volume, 341.0);
+  EXPECT_NEAR(found.solids[0].volume, 341.0, 1e-9);
   EXPECT_EQ(found.solids[1].cell, 2);
   EXPECT_EQ(found.solids[2].cell, ExteriorVertex);
   for (int axis = 0; axis < 3; ++axis)

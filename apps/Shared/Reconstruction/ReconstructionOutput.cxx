@@ -91,11 +91,8 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
-  add(paths.cells, [&](const std::string & path) {
-    const auto grid = MakeCellGrid(walls, cells, check);
-    AddNames(grid->GetCellData(), report.input.names);
-    WriteXML(grid, path);
-  });
+  // Names are text, which meshio does not read of grids.
+  add(paths.cells, [&](const std::string & path) { WriteXML(MakeCellGrid(walls, cells, check), path); });
   add(paths.cellSurfaces, [&](const std::string & path) {
     const auto surfaces = MakeCellSurfaces(walls, cells, check);
     AddNames(surfaces->GetCellData(), report.input.names);

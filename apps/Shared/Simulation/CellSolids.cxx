@@ -8,6 +8,7 @@
 
 #include "TissueTessellationCore/Common/DisjointSets.h"
 #include "TissueTessellationCore/Geometry/Box.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
 #include <array>
