@@ -174,9 +174,9 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
 
 TEST(TissueTessellationVTKBridge, TheSurfacesOfCellsAreApartAndCanBeMovedApart)
 {
-  using tissue::operator+;
-  using tissue::operator-;
-  using tissue::operator*;
+  using tissue::  operator+;
+  using tissue::  operator-;
+  using tissue::  operator*;
   const FourCubes tissue;
   const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
   const auto      surfaces = tissue::MakeCellSurfaces(tissue.mesh, tissue.cells, check);
