@@ -17,6 +17,47 @@
 
 namespace tissue
 {
+/** The surface of a cell by points of its own. */
+struct OwnSurface
+{
+  /** Points of the mesh, each once, in the order of the triangles. */
+  std::vector<PointId> points;
+  /** Indices of these, turned outwards. */
+  std::vector<Triangle> triangles;
+};
+
+/** The surface of each vertex of the adjacency complex; that of the exterior is turned away from it. */
+inline std::vector<OwnSurface>
+CollectOwnSurfaces(const WallMesh & mesh, std::size_t numberOfVertices)
+{
+  RequireConsistentIndices(mesh, static_cast<VertexId>(numberOfVertices));
+  std::vector<OwnSurface> surfaces(numberOfVertices);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto & [a, b, c] = mesh.triangles[t];
+    const VertexPair & sides = mesh.walls[mesh.wallOfTriangle[t]].cells;
+    surfaces[sides[0]].triangles.push_back({ { a, b, c } });
+    surfaces[sides[1]].triangles.push_back({ { a, c, b } });
+  }
+  for (OwnSurface & surface : surfaces)
+  {
+    std::map<PointId, PointId> numbers;
+    for (Triangle & triangle : surface.triangles)
+    {
+      for (PointId & p : triangle)
+      {
+        const auto [at, isNew] = numbers.emplace(p, static_cast<PointId>(surface.points.size()));
+        if (isNew)
+        {
+          surface.points.push_back(p);
+        }
+        p = at->second;
+      }
+    }
+  }
+  return surfaces;
+}
+
 namespace bridge
 {
 /** The sum of the triangles' normals, by their areas, at each point; of length 1, or 0 where they cancel. */
@@ -63,16 +104,8 @@ MakeVectors(const char * name, const std::vector<Point> & vectors)
 inline vtkSmartPointer<vtkPolyData>
 MakeCellSurfaces(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
 {
-  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
-  std::vector<std::vector<Triangle>> trianglesOfCell(cells.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const auto & [a, b, c] = mesh.triangles[t];
-    const VertexPair & sides = mesh.walls[mesh.wallOfTriangle[t]].cells;
-    trianglesOfCell[sides[0]].push_back({ { a, b, c } });
-    trianglesOfCell[sides[1]].push_back({ { a, c, b } });
-  }
-  Point middle{ { 0.0, 0.0, 0.0 } };
+  const std::vector<OwnSurface> surfaces = CollectOwnSurfaces(mesh, cells.size());
+  Point                         middle{ { 0.0, 0.0, 0.0 } };
   for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
   {
     middle = middle + (1.0 / static_cast<double>(cells.size() - 1)) * cells[v].center;
@@ -83,20 +116,15 @@ MakeCellSurfaces(const WallMesh & mesh, const std::vector<Cell> & cells, const C
   std::vector<VertexId> vertices;
   for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
   {
-    std::map<PointId, PointId> numbers;
-    for (Triangle triangle : trianglesOfCell[v])
+    const auto first = static_cast<PointId>(points.size());
+    for (const PointId p : surfaces[v].points)
     {
-      for (PointId & p : triangle)
-      {
-        const auto [at, isNew] = numbers.emplace(p, static_cast<PointId>(points.size()));
-        if (isNew)
-        {
-          points.push_back(mesh.points[p]);
-          ways.push_back(cells[v].center - middle);
-        }
-        p = at->second;
-      }
-      triangles.push_back(triangle);
+      points.push_back(mesh.points[p]);
+      ways.push_back(cells[v].center - middle);
+    }
+    for (const auto & [a, b, c] : surfaces[v].triangles)
+    {
+      triangles.push_back({ { first + a, first + b, first + c } });
       vertices.push_back(static_cast<VertexId>(v));
     }
   }

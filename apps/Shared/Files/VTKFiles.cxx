@@ -19,6 +19,8 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -137,6 +139,15 @@ WriteXML(vtkPointSet * data, const std::string & path)
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
+  WriteOrThrow(writer.Get(), path);
+}
+
+void
+WriteStl(vtkPolyData * data, const std::string & path)
+{
+  const vtkNew<vtkSTLWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileTypeToBinary();
   WriteOrThrow(writer.Get(), path);
 }
 

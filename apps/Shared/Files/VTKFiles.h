@@ -11,6 +11,7 @@
 
 class vtkImageData;
 class vtkPointSet;
+class vtkPolyData;
 class vtkTable;
 
 namespace tissue
@@ -25,6 +26,10 @@ WriteXML(vtkPointSet * data, const std::string & path);
  * 4180). Throws std::runtime_error. */
 void
 WriteCSV(vtkTable * table, const std::string & path);
+
+/** Writes a surface of triangles as binary STL. Throws std::runtime_error. */
+void
+WriteStl(vtkPolyData * data, const std::string & path);
 
 /** Writes an image of one slice of bytes. Throws std::runtime_error, also where the disk is full. */
 void

@@ -7,6 +7,7 @@
 #include "Shared/Reconstruction/OutputPaths.h"
 
 #include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/Exports/MeshExport.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Pictures/PictureObstacle.h"
 #include "Shared/Simulation/SimulationModel.h"
@@ -62,6 +63,23 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
                 "A model to mesh the cells: .geo for Gmsh (with a .msh beside it), .smesh for TetGen; may be repeated")
     ->type_name("FILE")
     ->check(EndsIn(".geo") | EndsIn(".smesh"))
+    ->group("Further outputs");
+  CLI::Validator known;
+  for (const std::string & ending : MeshExportEndings())
+  {
+    const CLI::Validator ends = EndsIn(std::filesystem::path("x" + ending).extension().string());
+    known = ending == MeshExportEndings().front() ? ends : known | ends;
+  }
+  app
+    .add_option(
+      "--export",
+      paths.exports,
+      "The cells for other programs: .ply (cellcomplex), .mgx.ply (MorphoGraphX), .glb, .obj, .stl; may be repeated")
+    ->type_name("FILE")
+    ->check(known)
+    ->group("Further outputs");
+  app.add_option("--exportCells", paths.exportedCells, "Labels of the cells in them; all by default")
+    ->type_name("LABELS")
     ->group("Further outputs");
   add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
   add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");

@@ -7,6 +7,8 @@
 #ifndef OutputPaths_h
 #define OutputPaths_h
 
+#include "TissueTessellationCore/Common/Types.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -27,6 +29,9 @@ struct OutputPaths
   std::string picture;
   /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
   std::vector<std::string> simulations;
+  /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */
+  std::vector<std::string> exports;
+  std::vector<Label>       exportedCells;
 
   struct Output
   {

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionOutput.h"
 
+#include "Shared/Exports/MeshExport.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
@@ -99,6 +100,10 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     WriteXML(surfaces, path);
   });
   AddSimulations(paths.simulations, walls, cells, files);
+  for (const std::string & name : paths.exports)
+  {
+    files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });
+  }
   add(paths.statistics, [&](const std::string & path) {
     const auto table = MakeCellTable(walls, cells, check);
     AddNames(table->GetRowData(), report.input.names);

@@ -6,9 +6,10 @@
  *=========================================================================*/
 #include "Shared/Simulation/SimulationModel.h"
 
+#include "Shared/Files/NumberFile.h"
+
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -19,48 +20,6 @@ namespace tissue
 namespace
 {
 constexpr Label largestTag = std::numeric_limits<std::int32_t>::max();
-
-/** A text file of numbers that read back as they are. */
-class NumberFile
-{
-public:
-  explicit NumberFile(const std::string & path)
-    : m_Path(path)
-    , m_File(path, std::ios::binary)
-  {
-    m_File.imbue(std::locale::classic());
-    m_File.precision(std::numeric_limits<double>::max_digits10);
-  }
-
-  template <typename TValue>
-  NumberFile &
-  operator<<(const TValue & value)
-  {
-    m_File << value;
-    return *this;
-  }
-
-  NumberFile &
-  operator<<(const Point & point)
-  {
-    m_File << point[0] << ' ' << point[1] << ' ' << point[2];
-    return *this;
-  }
-
-  /** \throws std::runtime_error where not all could be written. */
-  void
-  Close()
-  {
-    if (!m_File.flush())
-    {
-      throw std::runtime_error("cannot write " + m_Path);
-    }
-  }
-
-private:
-  std::string   m_Path;
-  std::ofstream m_File;
-};
 
 /** Numbers from 1 on, as {1, 2}. */
 template <typename TNumbers>
