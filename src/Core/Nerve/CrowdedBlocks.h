@@ -7,7 +7,8 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
-#include "Nerve/BlockRow.h"
+#include "Image/BlockRow.h"
+#include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Common/Execution.h"
 
 #include <vector>

@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "Nerve/HandleCutting.h"
 
-#include "Nerve/BlockRow.h"
+#include "Image/BlockRow.h"
 #include "Nerve/KuhnWall.h"
 #include "Nerve/VoxelBox.h"
 

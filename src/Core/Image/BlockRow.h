@@ -7,10 +7,11 @@
 #ifndef TissueTessellationCore_BlockRow_h
 #define TissueTessellationCore_BlockRow_h
 
-#include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace tissue
 {
