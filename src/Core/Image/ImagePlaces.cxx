@@ -30,15 +30,24 @@ PlaceAt(const LabelVolume & volume, double x, double y, double z)
 }
 
 /** \brief The faces at the upper sides of the voxels of a row, with those of the exterior in front of the image. */
+template <typename TVertex>
 class FaceRow
 {
 public:
-  /** \param outside a row of exterior. */
-  FaceRow(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t y, std::int32_t z)
+  /** \param vertices those of the volume (VoxelVertices::Visit()).
+   *  \param outside a row of exterior. */
+  FaceRow(const LabelVolume & volume, const TVertex * vertices, const std::vector<TVertex> & outside, std::int32_t y,
+          std::int32_t z)
     : m_Size(volume.size[0])
-    , m_Row(RowOf(volume, outside, y, z))
-    , m_Next{ { nullptr, RowOf(volume, outside, y + 1, z), RowOf(volume, outside, y, z + 1) } }
-  {}
+  {
+    const auto rowOf = [&](std::int32_t rowY, std::int32_t rowZ) {
+      const bool isInside = rowY >= 0 && rowZ >= 0 && rowY < volume.size[1] && rowZ < volume.size[2];
+      return isInside ? vertices + (static_cast<std::size_t>(rowZ) * volume.size[1] + rowY) * volume.size[0]
+                      : outside.data();
+    };
+    m_Row = rowOf(y, z);
+    m_Next = { { nullptr, rowOf(y + 1, z), rowOf(y, z + 1) } };
+  }
 
   /** Calls visit(x, axis, a, b) for each face between different vertices a and b, by x, then by the axis that it is
    * normal to. */
@@ -67,14 +76,6 @@ public:
   }
 
 private:
-  static const VertexId *
-  RowOf(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t y, std::int32_t z)
-  {
-    const bool isInside = y >= 0 && z >= 0 && y < volume.size[1] && z < volume.size[2];
-    return isInside ? volume.vertices.data() + (static_cast<std::size_t>(z) * volume.size[1] + y) * volume.size[0]
-                    : outside.data();
-  }
-
   /** Whether the voxels of [begin, end) have no face between different vertices. */
   bool
   AreAlike(std::int32_t begin, std::int32_t end) const
@@ -87,23 +88,28 @@ private:
     return differences == 0;
   }
 
-  std::int32_t                    m_Size;
-  const VertexId *                m_Row;
-  std::array<const VertexId *, 3> m_Next;
+  std::int32_t                   m_Size;
+  const TVertex *                m_Row;
+  std::array<const TVertex *, 3> m_Next;
 };
 
-/** Calls visit(y, z) for each row, from -1 to the last, in which something may be seen of the image. */
+/** Calls visit(x, y, z, axis, a, b) for all faces between different vertices, in raster order. */
 template <typename TVisitor>
 void
-VisitRows(const LabelVolume & volume, const TVisitor & visit)
+VisitFaces(const LabelVolume & volume, const TVisitor & visit)
 {
-  for (std::int32_t z = -1; z < volume.size[2]; ++z)
-  {
-    for (std::int32_t y = -1; y < volume.size[1]; ++y)
+  volume.vertices.Visit([&](const auto * vertices) {
+    using Vertex = std::remove_cv_t<std::remove_reference_t<decltype(*vertices)>>;
+    const std::vector<Vertex> outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
+    for (std::int32_t z = -1; z < volume.size[2]; ++z)
     {
-      visit(y, z);
+      for (std::int32_t y = -1; y < volume.size[1]; ++y)
+      {
+        FaceRow<Vertex>(volume, vertices, outside, y, z)
+          .VisitDifferent([&](std::int32_t x, int axis, VertexId a, VertexId b) { visit(x, y, z, axis, a, b); });
+      }
     }
-  }
+  });
 }
 
 /** The four voxels of a block around its edge along each axis that is at the upper sides of the first voxel. */
@@ -166,17 +172,14 @@ CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pa
   {
     groupOf[KeyOf(pairs[i][0], pairs[i][1])] = i;
   }
-  const std::vector<VertexId> outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
   return ImagePlaces(pairs.size(), [&](const auto & add) {
-    VisitRows(volume, [&](std::int32_t y, std::int32_t z) {
-      FaceRow(volume, outside, y, z).VisitDifferent([&](std::int32_t x, int axis, VertexId a, VertexId b) {
-        const auto at = groupOf.find(KeyOf(a, b));
-        if (at != groupOf.end())
-        {
-          add(at->second,
-              PlaceAt(volume, x + (axis == 0 ? 0.5 : 0.0), y + (axis == 1 ? 0.5 : 0.0), z + (axis == 2 ? 0.5 : 0.0)));
-        }
-      });
+    VisitFaces(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z, int axis, VertexId a, VertexId b) {
+      const auto at = groupOf.find(KeyOf(a, b));
+      if (at != groupOf.end())
+      {
+        add(at->second,
+            PlaceAt(volume, x + (axis == 0 ? 0.5 : 0.0), y + (axis == 1 ? 0.5 : 0.0), z + (axis == 2 ? 0.5 : 0.0)));
+      }
     });
   });
 }
@@ -207,15 +210,15 @@ CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & 
       add(cells, x + (axis == 0 ? 0.0 : 0.5), y + (axis == 1 ? 0.0 : 0.5), z + (axis == 2 ? 0.0 : 0.5));
     }
   };
-  const std::vector<VertexId> outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
-  VisitRows(volume, [&](std::int32_t y, std::int32_t z) {
-    BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t x, const BlockVoxels & voxels) {
+  for (std::int32_t z = -1; z < volume.size[2]; ++z)
+  {
+    VisitMixedBlocks(volume, z, [&](std::int32_t x, std::int32_t y, const BlockVoxels & voxels) {
       for (int axis = 0; axis < 3; ++axis)
       {
         addAround(voxels, axis, x, y, z);
       }
     });
-  });
+  }
   return ImagePlaces(lines.size(), entries);
 }
 

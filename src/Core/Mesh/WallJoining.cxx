@@ -41,6 +41,7 @@ NumberJoinedWalls(const WallMesh & mesh)
   return joined;
 }
 
+/** At the points of lines and corners; those within a wall stay there. */
 void
 CountCells(WallMesh & mesh)
 {
@@ -51,12 +52,16 @@ CountCells(WallMesh & mesh)
     {
       for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[t]].cells)
       {
-        incidences.push_back({ { p, cell } });
+        if (mesh.numberOfCells[p] != CellsWithinWall)
+        {
+          incidences.push_back({ { p, cell } });
+        }
       }
     }
   }
   SortUnique(incidences);
-  mesh.numberOfCells.assign(mesh.points.size(), 0);
+  std::replace_if(
+    mesh.numberOfCells.begin(), mesh.numberOfCells.end(), [](auto count) { return count != CellsWithinWall; }, 0);
   for (const auto & incidence : incidences)
   {
     ++mesh.numberOfCells[incidence[0]];
@@ -73,15 +78,17 @@ JoinWalls(WallMesh & mesh)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return joined[mesh.wallOfTriangle[a]] < joined[mesh.wallOfTriangle[b]];
   });
-  WallMesh before = mesh;
+  const std::vector<Triangle>       triangles = mesh.triangles;
+  const std::vector<WallId>         wallOfTriangle = mesh.wallOfTriangle;
+  const std::vector<WallMesh::Wall> walls = mesh.walls;
   for (std::size_t t = 0; t < order.size(); ++t)
   {
-    mesh.triangles[t] = before.triangles[order[t]];
-    mesh.wallOfTriangle[t] = joined[before.wallOfTriangle[order[t]]];
+    mesh.triangles[t] = triangles[order[t]];
+    mesh.wallOfTriangle[t] = joined[wallOfTriangle[order[t]]];
   }
   for (std::size_t w = 0; w < joined.size(); ++w)
   {
-    mesh.walls[joined[w]] = before.walls[w];
+    mesh.walls[joined[w]] = walls[w];
   }
   mesh.walls.resize(joined.empty() ? 0 : static_cast<std::size_t>(*std::max_element(joined.begin(), joined.end())) + 1);
   CountCells(mesh);

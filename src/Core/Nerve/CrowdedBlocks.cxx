@@ -57,19 +57,15 @@ DifferentCells(const BlockVoxels & voxels)
 std::vector<CrowdedBlock>
 FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution)
 {
-  const std::vector<VertexId>            outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
   std::vector<std::vector<CrowdedBlock>> ofPlane(static_cast<std::size_t>(volume.size[2]) + 1);
   execution.For(ofPlane.size(), [&](std::size_t plane) {
-    for (std::int32_t y = -1; y < volume.size[1]; ++y)
-    {
-      const auto z = static_cast<std::int32_t>(plane) - 1;
-      BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t x, const BlockVoxels & voxels) {
-        if (IsCrowded(voxels))
-        {
-          ofPlane[plane].push_back({ { { x, y, z } }, voxels });
-        }
-      });
-    }
+    const auto z = static_cast<std::int32_t>(plane) - 1;
+    VisitMixedBlocks(volume, z, [&](std::int32_t x, std::int32_t y, const BlockVoxels & voxels) {
+      if (IsCrowded(voxels))
+      {
+        ofPlane[plane].push_back({ { { x, y, z } }, voxels });
+      }
+    });
   });
   std::vector<CrowdedBlock> blocks;
   for (const auto & plane : ofPlane)

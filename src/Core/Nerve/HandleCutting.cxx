@@ -138,10 +138,9 @@ public:
     {
       for (std::int32_t y = box.least[1]; y <= box.most[1]; ++y)
       {
-        const VertexId * row = volume.vertices.data() + OffsetOf(volume, { { 0, y, z } });
         for (std::int32_t x = box.least[0]; x <= box.most[0]; ++x)
         {
-          if (row[x] == cell)
+          if (volume.vertices[OffsetOf(volume, { { x, y, z } })] == cell)
           {
             m_Voxels.push_back(this->PlaceOf({ { x - m_First[0], y - m_First[1], z - m_First[2] } }));
             m_IsInCell[m_Voxels.back()] = true;
@@ -533,7 +532,9 @@ private:
     {
       m_Boxes[static_cast<std::size_t>(voxel.vertex)].Add(voxel.place);
       m_Scaffolds.erase(voxel.vertex);
-      std::swap(m_Volume.vertices[OffsetOf(m_Volume, voxel.place)], voxel.vertex);
+      const VertexId before = m_Volume.vertices[OffsetOf(m_Volume, voxel.place)];
+      m_Volume.vertices.Put(OffsetOf(m_Volume, voxel.place), voxel.vertex);
+      voxel.vertex = before;
     }
     this->AddTerms(bases, 1);
   }
@@ -565,19 +566,16 @@ private:
 
 /** What the blocks of a plane add to the Euler characteristics, by vertex. */
 std::map<VertexId, std::int32_t>
-EulerTermsOfPlane(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t z)
+EulerTermsOfPlane(const LabelVolume & volume, std::int32_t z)
 {
   std::map<VertexId, std::int32_t> terms;
-  for (std::int32_t y = 0; y < volume.size[1]; ++y)
-  {
-    BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t, const BlockVoxels & voxels) {
-      const std::int8_t term = voxels[0] != ExteriorVertex ? EulerTerm(voxels) : 0;
-      if (term != 0)
-      {
-        terms[voxels[0]] += term;
-      }
-    });
-  }
+  VisitMixedBlocks(volume, z, [&](std::int32_t, std::int32_t, const BlockVoxels & voxels) {
+    const std::int8_t term = voxels[0] != ExteriorVertex ? EulerTerm(voxels) : 0;
+    if (term != 0)
+    {
+      terms[voxels[0]] += term;
+    }
+  });
   return terms;
 }
 } // namespace
@@ -585,10 +583,9 @@ EulerTermsOfPlane(const LabelVolume & volume, const std::vector<VertexId> & outs
 std::vector<std::int32_t>
 FindEulerCharacteristics(const LabelVolume & volume, VertexId numberOfVertices, const Execution & execution)
 {
-  const std::vector<VertexId>                   outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
   std::vector<std::map<VertexId, std::int32_t>> ofPlane(static_cast<std::size_t>(volume.size[2]));
   execution.For(ofPlane.size(), [&](std::size_t plane) {
-    ofPlane[plane] = EulerTermsOfPlane(volume, outside, static_cast<std::int32_t>(plane));
+    ofPlane[plane] = EulerTermsOfPlane(volume, static_cast<std::int32_t>(plane));
   });
   std::vector<std::int32_t> characteristics(static_cast<std::size_t>(numberOfVertices), 0);
   for (const auto & terms : ofPlane)

@@ -56,8 +56,11 @@ ReadPlane(const LabelVolume & volume, std::int32_t z)
   plane.labels.assign(static_cast<std::size_t>(plane.width) * plane.height, ExteriorVertex);
   for (std::int32_t y = 0; z >= 0 && z < volume.size[2] && y < volume.size[1]; ++y)
   {
-    const auto row = volume.vertices.begin() + (static_cast<std::ptrdiff_t>(z) * volume.size[1] + y) * volume.size[0];
-    std::copy(row, row + volume.size[0], plane.labels.begin() + (y + 1) * static_cast<std::ptrdiff_t>(plane.width) + 1);
+    volume.vertices.Visit([&](const auto * first) {
+      const auto * const row = first + (static_cast<std::size_t>(z) * volume.size[1] + y) * volume.size[0];
+      std::copy(
+        row, row + volume.size[0], plane.labels.begin() + (y + 1) * static_cast<std::ptrdiff_t>(plane.width) + 1);
+    });
   }
   return plane;
 }
