@@ -13,6 +13,10 @@
 #include <new>
 #include <regex>
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
+
 namespace tissue
 {
 std::string
@@ -32,9 +36,25 @@ ToMessage(const std::exception & error)
   return message;
 }
 
+namespace
+{
+/** Gives large arrays back to the system as soon as they are freed. The C library of GNU comes to keep those of up to
+ * 32 MB for later use, which is a quarter of the memory of a large tissue. */
+void
+ReturnLargeArrays()
+{
+#ifdef __GLIBC__
+  constexpr int bytes = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, bytes);
+  mallopt(M_TRIM_THRESHOLD, bytes);
+#endif
+}
+} // namespace
+
 int
 RunProgram(const std::string & name, const std::function<void()> & work)
 {
+  ReturnLargeArrays();
   try
   {
     work();

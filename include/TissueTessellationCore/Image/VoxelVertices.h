@@ -143,8 +143,14 @@ public:
   push_back(VertexId vertex)
   {
     this->WidenFor(vertex);
-    m_Wide.empty() && IsNarrow(vertex) ? m_Narrow.push_back(static_cast<std::uint16_t>(vertex))
-                                       : m_Wide.push_back(vertex);
+    if (m_Wide.empty() && IsNarrow(vertex))
+    {
+      m_Narrow.push_back(static_cast<std::uint16_t>(vertex));
+    }
+    else
+    {
+      m_Wide.push_back(vertex);
+    }
   }
 
   /** Puts a vertex in the place of another. */

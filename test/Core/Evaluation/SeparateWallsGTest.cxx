@@ -34,7 +34,8 @@ MakeBridge(int width)
 WallMesh
 MeshOf(const LabelVolume & volume)
 {
-  return MakeVoxelWallMesh({ { volume.size[0], volume.size[1], volume.size[2] } }, volume.vertices);
+  return MakeVoxelWallMesh({ { volume.size[0], volume.size[1], volume.size[2] } },
+                           { volume.vertices.begin(), volume.vertices.end() });
 }
 
 void
