@@ -39,14 +39,15 @@ ToMessage(const std::exception & error)
 namespace
 {
 /** Gives large arrays back to the system as soon as they are freed. The C library of GNU comes to keep those of up to
- * 32 MB for later use, which is a quarter of the memory of a large tissue. */
+ * 32 MB for later use, which is a quarter of the memory of a large tissue. For smaller ones that is not worth the time.
+ */
 void
 ReturnLargeArrays()
 {
 #ifdef __GLIBC__
-  constexpr int bytes = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, bytes);
-  mallopt(M_TRIM_THRESHOLD, bytes);
+  constexpr int megabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 4 * megabyte);
+  mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
 #endif
 }
 } // namespace
