@@ -41,27 +41,28 @@ NumberJoinedWalls(const WallMesh & mesh)
   return joined;
 }
 
-/** At the points of lines and corners; those within a wall stay there. */
 void
 CountCells(WallMesh & mesh)
 {
+  // Points within a wall stay there; they are most, and need no list.
+  const std::vector<std::uint8_t>      before = std::move(mesh.numberOfCells);
   std::vector<std::array<VertexId, 2>> incidences; // point, cell
+  mesh.numberOfCells.assign(mesh.points.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
+    const VertexPair & cells = mesh.walls[mesh.wallOfTriangle[t]].cells;
     for (const PointId p : mesh.triangles[t])
     {
-      for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[t]].cells)
+      if (before[p] == CellsWithinWall)
       {
-        if (mesh.numberOfCells[p] != CellsWithinWall)
-        {
-          incidences.push_back({ { p, cell } });
-        }
+        mesh.numberOfCells[p] = CellsWithinWall;
+        continue;
       }
+      incidences.push_back({ { p, cells[0] } });
+      incidences.push_back({ { p, cells[1] } });
     }
   }
   SortUnique(incidences);
-  std::replace_if(
-    mesh.numberOfCells.begin(), mesh.numberOfCells.end(), [](auto count) { return count != CellsWithinWall; }, 0);
   for (const auto & incidence : incidences)
   {
     ++mesh.numberOfCells[incidence[0]];
