@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
+#include "Image/BlockRow.h"
 #include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
@@ -15,9 +16,6 @@
 
 namespace tissue
 {
-/** The vertices of a 2x2x2 block of voxels, the first axis fastest. */
-using BlockVoxels = std::array<VertexId, 8>;
-
 /** A 2x2x2 block of voxels that holds four or more cells: where cells meet in corners. */
 struct CrowdedBlock
 {

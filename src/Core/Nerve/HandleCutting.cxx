@@ -138,10 +138,9 @@ public:
     {
       for (std::int32_t y = box.least[1]; y <= box.most[1]; ++y)
       {
-        const VertexId * row = volume.vertices.data() + OffsetOf(volume, { { 0, y, z } });
         for (std::int32_t x = box.least[0]; x <= box.most[0]; ++x)
         {
-          if (row[x] == cell)
+          if (volume.vertices[OffsetOf(volume, { { x, y, z } })] == cell)
           {
             m_Voxels.push_back(this->PlaceOf({ { x - m_First[0], y - m_First[1], z - m_First[2] } }));
             m_IsInCell[m_Voxels.back()] = 1;
@@ -535,7 +534,9 @@ private:
     {
       m_Boxes[static_cast<std::size_t>(voxel.vertex)].Add(voxel.place);
       m_Scaffolds.erase(voxel.vertex);
-      std::swap(m_Volume.vertices[OffsetOf(m_Volume, voxel.place)], voxel.vertex);
+      const VertexId before = m_Volume.vertices[OffsetOf(m_Volume, voxel.place)];
+      m_Volume.vertices.Put(OffsetOf(m_Volume, voxel.place), voxel.vertex);
+      voxel.vertex = before;
     }
     this->AddTerms(bases, 1);
   }

@@ -154,18 +154,20 @@ private:
   void
   FindRuns(std::size_t row, RunRow & runs) const
   {
-    const VertexId * const labels = m_Volume.vertices.data() + row * static_cast<std::size_t>(m_Volume.size[0]);
     runs.clear();
-    for (std::int32_t begin = 0; begin < m_Volume.size[0];)
-    {
-      std::int32_t end = begin + 1;
-      while (end < m_Volume.size[0] && labels[end] == labels[begin])
+    m_Volume.vertices.Visit([&](const auto * first) {
+      const auto * const labels = first + row * static_cast<std::size_t>(m_Volume.size[0]);
+      for (std::int32_t begin = 0; begin < m_Volume.size[0];)
       {
-        ++end;
+        std::int32_t end = begin + 1;
+        while (end < m_Volume.size[0] && labels[end] == labels[begin])
+        {
+          ++end;
+        }
+        runs.push_back({ labels[begin], begin, end, None });
+        begin = end;
       }
-      runs.push_back({ labels[begin], begin, end, None });
-      begin = end;
-    }
+    });
   }
 
   void
@@ -388,9 +390,7 @@ Relabel(LabelVolume & volume, const std::vector<VoxelRange> & ranges)
 {
   for (const VoxelRange & range : ranges)
   {
-    std::fill(volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.begin),
-              volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.end),
-              range.vertex);
+    volume.vertices.Fill(range.begin, range.end, range.vertex);
   }
 }
 } // namespace tissue

@@ -61,11 +61,13 @@ PlaneScan::Read(std::int32_t z, Plane & plane) const
   }
   else
   {
-    const VertexId * row = m_Volume.vertices.data() + static_cast<std::size_t>(z) * m_Size[1] * m_Size[0];
-    for (std::size_t y = 1; y <= m_Size[1]; ++y, row += m_Size[0])
-    {
-      std::copy(row, row + m_Size[0], plane.labels.begin() + static_cast<std::ptrdiff_t>(y * m_Width + 1));
-    }
+    m_Volume.vertices.Visit([&](const auto * vertices) {
+      const auto * row = vertices + static_cast<std::size_t>(z) * m_Size[1] * m_Size[0];
+      for (std::size_t y = 1; y <= m_Size[1]; ++y, row += m_Size[0])
+      {
+        std::copy(row, row + m_Size[0], plane.labels.begin() + static_cast<std::ptrdiff_t>(y * m_Width + 1));
+      }
+    });
   }
   // From the end of a row to the next one it is from border to border: no difference.
   const VertexId * labels = plane.labels.data();

@@ -248,7 +248,7 @@ TEST(TissueReconstruction, AVoidIsExterior)
 {
   LabelVolume volume = VoronoiBall(24, 4.0);
   const auto  hollow = *std::max_element(volume.vertices.begin(), volume.vertices.end());
-  std::replace(volume.vertices.begin(), volume.vertices.end(), hollow, ExteriorVertex);
+  volume.vertices.Replace(hollow, ExteriorVertex);
   const Ball                 shell(volume);
   const TissueReconstruction result = shell.Reconstruct();
   ExpectClosedCells(result.walls, shell.junctions);
