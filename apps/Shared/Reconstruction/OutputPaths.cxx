@@ -23,7 +23,7 @@ OutputPaths::List() const
   std::vector<Output> outputs{ { walls, "cell walls" },    { complex, "adjacency complex" },
                                { cells, "cells" },         { statistics, "statistics of the cells" },
                                { junctions, "junctions" }, { report, "report" },
-                               { picture, "picture" } };
+                               { picture, "picture" },     { returnParameters, "results for 3D Slicer" } };
   const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
   return outputs;
@@ -36,15 +36,27 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
     ->required()
     ->type_name("FILE")
     ->check(EndsIn(".vtp"));
-  const auto add = [&app](const char * name, std::string & path, const char * extension, const char * description) {
-    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extension))->group("Further outputs");
+  const auto add = [&app](const char *                     name,
+                          std::string &                    path,
+                          const std::vector<std::string> & extensions,
+                          const char *                     description) {
+    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extensions))->group("Further outputs");
   };
-  add("--complex", paths.complex, ".vtu", "The adjacency complex");
-  add("--cells", paths.cells, ".vtu", "The cells as polyhedra, with their statistics");
-  add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
-  add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");
-  add("--report", paths.report, ".json", "Report of the run");
-  add("--picture", paths.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");
+  add("--complex", paths.complex, { ".vtu" }, "The adjacency complex");
+  add("--cells",
+      paths.cells,
+      { ".vtu", ".vtm" },
+      "The cells as polyhedra, with their statistics, or (.seg.vtm) as a segmentation of 3D Slicer");
+  add("--statistics", paths.statistics, { ".csv" }, "The cells' statistics, one row a cell");
+  add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
+  add("--report", paths.report, { ".json" }, "Report of the run");
+  add("--picture", paths.picture, { ".png" }, "Picture of the tissue; needs an X display, such as xvfb-run gives");
+}
+
+bool
+IsSegmentation(const std::string & path)
+{
+  return std::filesystem::path(path).extension() == ".vtm";
 }
 
 void
@@ -54,7 +66,7 @@ RequireOutputs(const OutputPaths & paths, const std::vector<std::string> & input
   std::set<fs::path> known;
   for (const auto & [path, content] : paths.List())
   {
-    OutputFiles::RequireWritable(path);
+    IsSegmentation(path) ? OutputFiles::RequireWritableWithPieces(path) : OutputFiles::RequireWritable(path);
     for (const std::string & input : inputs)
     {
       if (!input.empty())

@@ -24,6 +24,8 @@ struct OutputPaths
   std::string junctions;
   std::string report;
   std::string picture;
+  /** Of --returnparameterfile. */
+  std::string returnParameters;
 
   struct Output
   {
@@ -40,6 +42,10 @@ struct OutputPaths
 /** The mesh of the walls, required, and all further outputs. */
 void
 AddOutputOptions(CLI::App & app, OutputPaths & paths);
+
+/** Whether cells go to a segmentation of 3D Slicer, rather than to a grid. */
+bool
+IsSegmentation(const std::string & path);
 
 /** \brief Throws std::runtime_error for everything that would make the outputs impossible, before the work.
  *

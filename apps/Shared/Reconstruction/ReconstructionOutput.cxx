@@ -10,12 +10,15 @@
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Reconstruction/CellSegmentation.h"
+#include "Shared/Reconstruction/ReconstructionModule.h"
 #include "TissueTessellationVTKBridge.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
@@ -42,6 +45,37 @@ AddNames(vtkFieldData * columns, const std::map<Label, std::string> & names)
   }
   columns->AddArray(column);
 }
+
+std::map<Label, Color>
+ColorByLabel(const WallMesh & walls, const std::vector<Cell> & cells)
+{
+  const std::vector<Color> colors = ChooseCellColors(walls, static_cast<VertexId>(cells.size()));
+  std::map<Label, Color>   byLabel;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    byLabel[cells[v].label] = colors[v];
+  }
+  return byLabel;
+}
+
+/** The cells as a grid, or as a segmentation of 3D Slicer. */
+void
+AddCells(const std::string & path, const ReconstructionReport & report, OutputFiles & files)
+{
+  const WallMesh &          walls = report.GetReconstruction().walls;
+  const std::vector<Cell> & cells = report.GetCells();
+  const auto                grid = MakeCellGrid(walls, cells, report.tissue.check);
+  if (IsSegmentation(path))
+  {
+    const auto segmentation = MakeCellSegmentation(grid, ColorByLabel(walls, cells), report.input.names);
+    files.AddWithPieces(path, [&](const std::string & temporary) { WriteXML(segmentation, temporary); });
+    return;
+  }
+  files.Add(path, [&](const std::string & temporary) {
+    AddNames(grid->GetCellData(), report.input.names);
+    WriteXML(grid, temporary);
+  });
+}
 } // namespace
 
 void
@@ -62,11 +96,10 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
-  add(paths.cells, [&](const std::string & path) {
-    const auto grid = MakeCellGrid(walls, cells, check);
-    AddNames(grid->GetCellData(), report.input.names);
-    WriteXML(grid, path);
-  });
+  if (!paths.cells.empty())
+  {
+    AddCells(paths.cells, report, files);
+  }
   add(paths.statistics, [&](const std::string & path) {
     const auto table = MakeCellTable(walls, cells, check);
     AddNames(table->GetRowData(), report.input.names);
@@ -75,6 +108,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
+  add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
   add(paths.report, [&](const std::string & path) { WriteJson(ToJson(report), path); });
   files.Commit();
   progress.End();
