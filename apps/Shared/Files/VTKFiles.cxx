@@ -14,6 +14,7 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
@@ -27,7 +28,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
 #include <vtkXMLDataObjectWriter.h>
+#include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLWriter.h>
+#include <vtkXMLWriterBase.h>
 
 #include <cerrno>
 #include <charconv>
@@ -121,25 +124,51 @@ ClearNotes(vtkFieldData * arrays)
     arrays->GetAbstractArray(i)->GetInformation()->Clear();
   }
 }
-} // namespace
 
 void
-WriteXML(vtkPointSet * data, const std::string & path)
+ClearAllNotes(vtkPointSet * data)
 {
   ClearNotes(data->GetPointData());
   ClearNotes(data->GetCellData());
   ClearNotes(data->GetFieldData());
   data->GetPoints()->GetData()->GetInformation()->Clear();
+}
+
+void
+WriteAppended(vtkXMLWriterBase * writer, vtkDataObject * data, const std::string & path)
+{
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  WriteOrThrow(writer, path);
+}
+} // namespace
+
+void
+WriteXML(vtkPointSet * data, const std::string & path)
+{
+  ClearAllNotes(data);
   const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
   if (!writer)
   {
     throw std::runtime_error(std::string("VTK has no XML format for a ") + data->GetClassName());
   }
-  writer->SetInputDataObject(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  WriteOrThrow(writer.Get(), path);
+  WriteAppended(writer.Get(), data, path);
+}
+
+void
+WriteXML(vtkMultiBlockDataSet * data, const std::string & path)
+{
+  for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    if (auto * const block = vtkPointSet::SafeDownCast(data->GetBlock(i)))
+    {
+      ClearAllNotes(block);
+    }
+  }
+  const vtkNew<vtkXMLMultiBlockDataWriter> writer;
+  WriteAppended(writer.Get(), data, path);
 }
 
 void

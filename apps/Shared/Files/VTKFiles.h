@@ -10,6 +10,7 @@
 #include <string>
 
 class vtkImageData;
+class vtkMultiBlockDataSet;
 class vtkPointSet;
 class vtkPolyData;
 class vtkTable;
@@ -20,6 +21,11 @@ namespace tissue
  * give the same bytes. Throws std::runtime_error. */
 void
 WriteXML(vtkPointSet * data, const std::string & path);
+
+/** Likewise a set of such data (`.vtm`), and each of its blocks in a folder beside it: see
+ * OutputFiles::AddWithPieces(). */
+void
+WriteXML(vtkMultiBlockDataSet * data, const std::string & path);
 
 /** Writes a table of one-component numbers and of text as comma-separated values under a line of the column names;
  * floating-point numbers in the shortest form that reads back as the same number, text in quotes where it must be (RFC

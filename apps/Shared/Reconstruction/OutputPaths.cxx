@@ -29,7 +29,8 @@ OutputPaths::List() const
                                { statistics, "statistics of the cells" },
                                { junctions, "junctions" },
                                { report, "report" },
-                               { picture, "picture" } };
+                               { picture, "picture" },
+                               { returnParameters, "results for 3D Slicer" } };
   for (const std::string & simulation : simulations)
   {
     outputs.push_back({ simulation, "model for a simulation" });
@@ -37,6 +38,10 @@ OutputPaths::List() const
     {
       outputs.push_back({ GmshWallsBeside(simulation), "walls of the model" });
     }
+  }
+  for (const std::string & path : exports)
+  {
+    outputs.push_back({ path, "mesh" });
   }
   const auto isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
@@ -50,41 +55,49 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
     ->required()
     ->type_name("FILE")
     ->check(EndsIn(".vtp"));
-  const auto add = [&app](const char * name, std::string & path, const char * extension, const char * description) {
-    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extension))->group("Further outputs");
+  const auto add = [&app](const char *                     name,
+                          std::string &                    path,
+                          const std::vector<std::string> & extensions,
+                          const char *                     description) {
+    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extensions))->group("Further outputs");
   };
-  add("--complex", paths.complex, ".vtu", "The adjacency complex");
-  add("--cells", paths.cells, ".vtu", "The cells as polyhedra, with their statistics");
-  add(
-    "--cellSurfaces", paths.cellSurfaces, ".vtp", "The closed surface of each cell, walls twice, with its statistics");
+  add("--complex", paths.complex, { ".vtu" }, "The adjacency complex");
+  add("--cells",
+      paths.cells,
+      { ".vtu", ".vtm" },
+      "The cells as polyhedra, with their statistics, or (.seg.vtm) as a segmentation of 3D Slicer");
+  add("--cellSurfaces",
+      paths.cellSurfaces,
+      { ".vtp" },
+      "The closed surface of each cell, walls twice, with its statistics");
   app
     .add_option("--simulation",
                 paths.simulations,
                 "A model to mesh the cells: .geo for Gmsh (with a .msh beside it), .smesh for TetGen; may be repeated")
     ->type_name("FILE")
-    ->check(EndsIn(".geo") | EndsIn(".smesh"))
+    ->check(EndsIn({ ".geo", ".smesh" }))
     ->group("Further outputs");
-  CLI::Validator known;
-  for (const std::string & ending : MeshExportEndings())
-  {
-    const CLI::Validator ends = EndsIn(std::filesystem::path("x" + ending).extension().string());
-    known = ending == MeshExportEndings().front() ? ends : known | ends;
-  }
   app
     .add_option(
       "--export",
       paths.exports,
       "The cells for other programs: .ply (cellcomplex), .mgx.ply (MorphoGraphX), .glb, .obj, .stl; may be repeated")
     ->type_name("FILE")
-    ->check(known)
+    ->check(EndsIn({ ".ply", ".glb", ".obj", ".stl" }))
     ->group("Further outputs");
   app.add_option("--exportCells", paths.exportedCells, "Labels of the cells in them; all by default")
     ->type_name("LABELS")
     ->group("Further outputs");
-  add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
-  add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");
-  add("--report", paths.report, ".json", "Report of the run");
-  add("--picture", paths.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");
+  add("--statistics", paths.statistics, { ".csv" }, "The cells' statistics, one row a cell");
+  add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
+  add("--report", paths.report, { ".json" }, "Report of the run");
+  add("--picture", paths.picture, { ".png" }, "Picture of the tissue; needs an X display, such as xvfb-run gives");
+}
+
+bool
+IsSegmentation(const std::string & path)
+{
+  return std::filesystem::path(path).extension() == ".vtm";
 }
 
 void
@@ -94,7 +107,7 @@ RequireOutputs(const OutputPaths & paths, const std::vector<std::string> & input
   std::set<fs::path> known;
   for (const auto & [path, content] : paths.List())
   {
-    OutputFiles::RequireWritable(path);
+    IsSegmentation(path) ? OutputFiles::RequireWritableWithPieces(path) : OutputFiles::RequireWritable(path);
     for (const std::string & input : inputs)
     {
       if (!input.empty())

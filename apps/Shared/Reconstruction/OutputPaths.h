@@ -32,6 +32,8 @@ struct OutputPaths
   /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */
   std::vector<std::string> exports;
   std::vector<Label>       exportedCells;
+  /** Of --returnparameterfile. */
+  std::string returnParameters;
 
   struct Output
   {
@@ -48,6 +50,10 @@ struct OutputPaths
 /** The mesh of the walls, required, and all further outputs. */
 void
 AddOutputOptions(CLI::App & app, OutputPaths & paths);
+
+/** Whether cells go to a segmentation of 3D Slicer, rather than to a grid. */
+bool
+IsSegmentation(const std::string & path);
 
 /** \brief Throws std::runtime_error for everything that would make the outputs impossible, before the work.
  *

@@ -11,6 +11,8 @@
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Reconstruction/CellSegmentation.h"
+#include "Shared/Reconstruction/ReconstructionModule.h"
 #include "Shared/Simulation/SimulationModel.h"
 #include "TissueTessellationVTKBridge.h"
 
@@ -18,6 +20,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -72,6 +75,35 @@ AddSimulations(const std::vector<std::string> & models, const WallMesh & walls, 
     }
   }
 }
+
+std::map<Label, Color>
+ColorByLabel(const WallMesh & walls, const std::vector<Cell> & cells)
+{
+  const std::vector<Color> colors = ChooseCellColors(walls, static_cast<VertexId>(cells.size()));
+  std::map<Label, Color>   byLabel;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    byLabel[cells[v].label] = colors[v];
+  }
+  return byLabel;
+}
+
+/** The cells as a grid, or as a segmentation of 3D Slicer. */
+void
+AddCells(const std::string & path, const ReconstructionReport & report, OutputFiles & files)
+{
+  const WallMesh &          walls = report.GetReconstruction().walls;
+  const std::vector<Cell> & cells = report.GetCells();
+  const auto                grid = MakeCellGrid(walls, cells, report.tissue.check);
+  if (IsSegmentation(path))
+  {
+    const auto segmentation = MakeCellSegmentation(grid, ColorByLabel(walls, cells), report.input.names);
+    files.AddWithPieces(path, [&](const std::string & temporary) { WriteXML(segmentation, temporary); });
+    return;
+  }
+  // Names are text, which meshio does not read of grids.
+  files.Add(path, [&](const std::string & temporary) { WriteXML(grid, temporary); });
+}
 } // namespace
 
 void
@@ -92,8 +124,10 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
-  // Names are text, which meshio does not read of grids.
-  add(paths.cells, [&](const std::string & path) { WriteXML(MakeCellGrid(walls, cells, check), path); });
+  if (!paths.cells.empty())
+  {
+    AddCells(paths.cells, report, files);
+  }
   add(paths.cellSurfaces, [&](const std::string & path) {
     const auto surfaces = MakeCellSurfaces(walls, cells, check);
     AddNames(surfaces->GetCellData(), report.input.names);
@@ -112,6 +146,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
+  add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
   add(paths.report, [&](const std::string & path) { WriteJson(ToJson(report), path); });
   files.Commit();
   progress.End();
