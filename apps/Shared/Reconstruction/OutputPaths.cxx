@@ -75,7 +75,7 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
                 paths.simulations,
                 "A model to mesh the cells: .geo for Gmsh (with a .msh beside it), .smesh for TetGen; may be repeated")
     ->type_name("FILE")
-    ->check(EndsIn({ ".geo", ".smesh" }))
+    ->check(EndsIn(std::vector<std::string>{ ".geo", ".smesh" }))
     ->group("Further outputs");
   app
     .add_option(
@@ -83,7 +83,7 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
       paths.exports,
       "The cells for other programs: .ply (cellcomplex), .mgx.ply (MorphoGraphX), .glb, .obj, .stl; may be repeated")
     ->type_name("FILE")
-    ->check(EndsIn({ ".ply", ".glb", ".obj", ".stl" }))
+    ->check(EndsIn(std::vector<std::string>{ ".ply", ".glb", ".obj", ".stl" }))
     ->group("Further outputs");
   app.add_option("--exportCells", paths.exportedCells, "Labels of the cells in them; all by default")
     ->type_name("LABELS")
