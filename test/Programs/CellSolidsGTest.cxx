@@ -14,22 +14,28 @@ using namespace tissue;
 
 namespace
 {
+CellSolids
+Find(const WallMesh & mesh, VertexId numberOfVertices)
+{
+  return FindCellSolids(mesh, CheckCellSurfaces(mesh, numberOfVertices));
+}
+
 /** A block of 7 x 7 x 7 voxels of cell 1 in which voxels are of other vertices. */
 CellSolids
-SolidsOfBlock(const std::vector<std::pair<std::array<int, 3>, VertexId>> & others, std::size_t numberOfVertices)
+SolidsOfBlock(const std::vector<std::pair<std::array<int, 3>, VertexId>> & others, VertexId numberOfVertices)
 {
   std::vector<VertexId> vertices(343, 1);
   for (const auto & [voxel, vertex] : others)
   {
     vertices[static_cast<std::size_t>(voxel[0] + 7 * (voxel[1] + 7 * voxel[2]))] = vertex;
   }
-  return FindCellSolids(MakeVoxelWallMesh({ { 7, 7, 7 } }, vertices), numberOfVertices);
+  return Find(MakeVoxelWallMesh({ { 7, 7, 7 } }, vertices), numberOfVertices);
 }
 } // namespace
 
 TEST(CellSolids, ACellIsBoundByItsWalls)
 {
-  const CellSolids found = FindCellSolids(MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 }), 3);
+  const CellSolids found = Find(MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 }), 3);
   ASSERT_EQ(found.solids.size(), 2u);
   EXPECT_TRUE(found.openCells.empty());
   for (int c = 0; c < 2; ++c)
@@ -66,7 +72,7 @@ TEST(CellSolids, VoidsAndCellsWithinBoundTheirCellAndAreVolumesOfTheirOwn)
 
 TEST(CellSolids, PiecesOfACellAreSolidsEach)
 {
-  const CellSolids found = FindCellSolids(MakeVoxelWallMesh({ { 3, 1, 1 } }, { 1, 2, 1 }), 3);
+  const CellSolids found = Find(MakeVoxelWallMesh({ { 3, 1, 1 } }, { 1, 2, 1 }), 3);
   ASSERT_EQ(found.solids.size(), 3u);
   EXPECT_EQ(found.solids[0].cell, 1);
   EXPECT_EQ(found.solids[1].cell, 1);
@@ -93,7 +99,7 @@ TEST(CellSolids, OpenCellsHaveNone)
   // The last triangle is one of cell 2 and the exterior.
   mesh.triangles.pop_back();
   mesh.wallOfTriangle.pop_back();
-  const CellSolids found = FindCellSolids(mesh, 3);
+  const CellSolids found = Find(mesh, 3);
   ASSERT_EQ(found.solids.size(), 1u);
   EXPECT_EQ(found.solids[0].cell, 1);
   EXPECT_EQ(found.openCells, std::vector<VertexId>{ 2 });

@@ -32,7 +32,7 @@ protected:
   Written(const TWrite & write) const
   {
     const std::string path = this->PathOf("written");
-    write(SimulationModel(m_Mesh, m_Cells), path);
+    write(SimulationModel(m_Mesh, m_Cells, CheckCellSurfaces(m_Mesh, 3)), path);
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
@@ -91,10 +91,13 @@ TEST_F(SimulationModelOfTwoCells, OpenCellsAreNamed)
 
 TEST_F(SimulationModelOfTwoCells, FilesThatCannotBeWrittenAreErrors)
 {
-  const SimulationModel model(m_Mesh, m_Cells);
+  const auto            check = CheckCellSurfaces(m_Mesh, 3);
+  const SimulationModel model(m_Mesh, m_Cells, check);
   EXPECT_THROW(model.WriteTetGenModel(this->PathOf("no/x.smesh")), std::runtime_error);
   m_Cells.pop_back();
-  EXPECT_THROW(SimulationModel(m_Mesh, m_Cells), std::invalid_argument);
+  EXPECT_THROW(SimulationModel(m_Mesh, m_Cells, check), std::invalid_argument);
+  m_Cells.resize(4);
+  EXPECT_THROW(SimulationModel(m_Mesh, m_Cells, check), std::invalid_argument);
 }
 
 TEST(SimulationModel, KnowsTheFilesOfGmsh)

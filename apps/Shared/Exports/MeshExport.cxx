@@ -12,13 +12,37 @@
 #include "Shared/Exports/SurfaceFiles.h"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 
 namespace tissue
 {
 namespace
 {
+using Writer = void (*)(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
+                        const std::string & path);
+
+/** Writes the surfaces of the chosen cells. */
+template <void (*TWrite)(const std::vector<ExportedCell> &, const std::string &)>
+void
+WriteCells(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
+           const std::string & path)
+{
+  TWrite(CollectExportedCells(mesh, cells, labels), path);
+}
+
+void
+WriteWalls(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> &, const std::string & path)
+{
+  WriteCellComplexPly(mesh, cells, path);
+}
+
+/** By the ends of their names; of two that a name ends in, the longer one comes first. */
+const std::vector<std::pair<std::string, Writer>> formats{ { ".mgx.ply", WriteCells<WriteFaceLabelPly> },
+                                                           { ".ply", WriteWalls },
+                                                           { ".glb", WriteCells<WriteGltfBinary> },
+                                                           { ".obj", WriteCells<WriteWavefront> },
+                                                           { ".stl", WriteCells<WriteStl> } };
+
 bool
 EndsWith(const std::string & text, const std::string & ending)
 {
@@ -26,11 +50,14 @@ EndsWith(const std::string & text, const std::string & ending)
 }
 } // namespace
 
-const std::vector<std::string> &
+std::vector<std::string>
 MeshExportEndings()
 {
-  // Of two that a name ends in, the longer one comes first.
-  static const std::vector<std::string> endings{ ".mgx.ply", ".ply", ".glb", ".obj", ".stl" };
+  std::vector<std::string> endings;
+  for (const auto & [ending, write] : formats)
+  {
+    endings.push_back(ending);
+  }
   return endings;
 }
 
@@ -38,27 +65,12 @@ void
 ExportMesh(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
            const std::string & format, const std::string & path)
 {
-  const auto & endings = MeshExportEndings();
-  const auto   ending =
-    std::find_if(endings.begin(), endings.end(), [&](const std::string & known) { return EndsWith(format, known); });
-  if (ending == endings.end())
+  const auto found = std::find_if(
+    formats.begin(), formats.end(), [&format](const auto & known) { return EndsWith(format, known.first); });
+  if (found == formats.end())
   {
     throw std::invalid_argument("ExportMesh: unknown format of " + format);
   }
-  const std::vector<ExportedCell> exported = CollectExportedCells(mesh, cells, labels);
-  if (*ending == ".ply")
-  {
-    WriteCellComplexPly(mesh, cells, path);
-  }
-  else
-  {
-    using Writer = std::function<void(const std::vector<ExportedCell> &, const std::string &)>;
-    const std::vector<std::pair<std::string, Writer>> writers{
-      { ".mgx.ply", WriteFaceLabelPly }, { ".glb", WriteGltfBinary }, { ".obj", WriteWavefront }, { ".stl", WriteStl }
-    };
-    const auto writer =
-      std::find_if(writers.begin(), writers.end(), [&](const auto & known) { return known.first == *ending; });
-    writer->second(exported, path);
-  }
+  found->second(mesh, cells, labels, path);
 }
 } // namespace tissue

@@ -26,7 +26,7 @@ namespace tissue
  * - `.stl`: binary, the triangles alone.
  *
  * Coordinates are those of the mesh (LPS), in double precision in text, in single precision in `.glb` and `.stl`. */
-const std::vector<std::string> &
+std::vector<std::string>
 MeshExportEndings();
 
 /** Writes a mesh in the format of the name of `format`. \param path the file; its name may be another one.

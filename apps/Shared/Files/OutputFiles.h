@@ -16,9 +16,9 @@ namespace tissue
 /** \brief Output files that appear complete and together, or not at all.
  *
  * Each file is first written under a temporary name, beside its place and with the same extension, or in a temporary
- * folder there; Commit() gives all
- * of them their names. What was not committed is removed by the destructor. A file that was there before is replaced; a
- * symbolic link stays, and its target is replaced. Errors are std::runtime_error: what, path, why. */
+ * folder there; Commit() gives all of them their names. What was not committed is removed by the destructor. A file
+ * that was there before is replaced; a symbolic link stays, and its target is replaced. Errors are std::runtime_error:
+ * what, path, why. */
 class OutputFiles
 {
 public:

@@ -42,15 +42,12 @@ ChosenStackImageIO::ReadImageInformation()
   this->RequireChoice(m_Source->GetNumberOfComponents(), NumberOfFramesOf(m_Source));
   std::array<itk::SizeValueType, 3>    size{};
   std::array<std::optional<double>, 3> voxelSize;
-  bool                                 areOnes = true;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     size[axis] = m_Source->GetDimensions(axis);
     voxelSize[axis] = m_Source->GetSpacing(axis);
-    areOnes = areOnes && std::abs(*voxelSize[axis] - 1.0) < 1e-6;
   }
-  // Most formats hold ones where they know no size.
-  this->SetStack(size, areOnes ? decltype(voxelSize)() : voxelSize, false, m_Source->GetComponentType());
+  this->SetStack(size, AreAllOnes(m_Source) ? decltype(voxelSize)() : voxelSize, false, m_Source->GetComponentType());
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     this->SetOrigin(axis, m_Source->GetOrigin(axis));
@@ -91,6 +88,19 @@ ChosenStackImageIO::Read(void * buffer)
   {
     std::memcpy(static_cast<char *>(buffer) + i * component, from + i * voxel, component);
   }
+}
+
+bool
+AreAllOnes(const itk::ImageIOBase * io)
+{
+  for (unsigned int axis = 0; axis < std::min(3u, io->GetNumberOfDimensions()); ++axis)
+  {
+    if (std::abs(io->GetSpacing(axis) - 1.0) >= 1e-6)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 const itk::ImageIOBase *

@@ -58,6 +58,11 @@ private:
   itk::ImageIOBase::Pointer m_Source;
 };
 
+/** Whether the voxels are 1 x 1 x 1, as most formats hold where they know no size. Some hold the inverse of the
+ * spacing, in single precision. */
+bool
+AreAllOnes(const itk::ImageIOBase * io);
+
 /** The reader behind a ChosenStackImageIO, or `io` itself. */
 const itk::ImageIOBase *
 SourceOf(const itk::ImageIOBase * io);

@@ -12,8 +12,6 @@
 
 #include <itkMetaDataObject.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -47,20 +45,6 @@ UnitOfNifti(const itk::ImageIOBase * io)
 {
   constexpr int spatial = 7;
   return static_cast<int>(FieldOfNifti(io, "xyzt_units")) & spatial;
-}
-
-bool
-AreAllOnes(const itk::ImageIOBase * io)
-{
-  for (unsigned int axis = 0; axis < std::min(3u, io->GetNumberOfDimensions()); ++axis)
-  {
-    // Some formats hold the inverse of the spacing, in single precision.
-    if (std::abs(io->GetSpacing(axis) - 1.0) >= 1e-6)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 bool

@@ -52,14 +52,13 @@ AddNames(vtkFieldData * columns, const std::map<Label, std::string> & names)
 }
 
 void
-AddSimulations(const std::vector<std::string> & models, const WallMesh & walls, const std::vector<Cell> & cells,
-               OutputFiles & files)
+AddSimulations(const std::vector<std::string> & models, const ReconstructionReport & report, OutputFiles & files)
 {
   if (models.empty())
   {
     return;
   }
-  const SimulationModel model(walls, cells);
+  const SimulationModel model(report.GetReconstruction().walls, report.GetCells(), report.tissue.check);
   for (const std::string & name : models)
   {
     if (IsGmshModel(name))
@@ -133,7 +132,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     AddNames(surfaces->GetCellData(), report.input.names);
     WriteXML(surfaces, path);
   });
-  AddSimulations(paths.simulations, walls, cells, files);
+  AddSimulations(paths.simulations, report, files);
   for (const std::string & name : paths.exports)
   {
     files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });

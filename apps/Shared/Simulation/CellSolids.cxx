@@ -55,23 +55,6 @@ CollectSides(const WallMesh & mesh, std::size_t numberOfVertices)
 
 using Edge = std::pair<PointId, PointId>;
 
-/** Whether as many sides run along each edge one way as the other. */
-bool
-AreClosed(const std::vector<Side> & sides)
-{
-  std::map<Edge, int> balances;
-  for (const Side & side : sides)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const PointId from = side.points[i];
-      const PointId to = side.points[(i + 1) % 3];
-      balances[std::minmax(from, to)] += from < to ? 1 : -1;
-    }
-  }
-  return std::all_of(balances.begin(), balances.end(), [](const auto & edge) { return edge.second == 0; });
-}
-
 void
 Measure(const WallMesh & mesh, Surface & surface)
 {
@@ -233,18 +216,18 @@ MakeSolids(const WallMesh & mesh, VertexId cell, const std::vector<Surface> & su
 } // namespace
 
 CellSolids
-FindCellSolids(const WallMesh & mesh, std::size_t numberOfVertices)
+FindCellSolids(const WallMesh & mesh, const CellSurfaceCheck & check)
 {
-  const std::vector<std::vector<Side>> sides = CollectSides(mesh, numberOfVertices);
+  const std::vector<std::vector<Side>> sides = CollectSides(mesh, check.cells.size());
   CellSolids                           result;
   const auto                           add = [&](std::size_t vertex) {
     const auto             surfaces = TakeApart(mesh, sides[vertex]);
     std::vector<CellSolid> solids = MakeSolids(mesh, static_cast<VertexId>(vertex), surfaces);
     std::move(solids.begin(), solids.end(), std::back_inserter(result.solids));
   };
-  for (std::size_t vertex = ExteriorVertex + 1; vertex < numberOfVertices; ++vertex)
+  for (std::size_t vertex = ExteriorVertex + 1; vertex < check.cells.size(); ++vertex)
   {
-    if (AreClosed(sides[vertex]))
+    if (check.cells[vertex].IsClosed())
     {
       add(vertex);
     }
@@ -253,7 +236,8 @@ FindCellSolids(const WallMesh & mesh, std::size_t numberOfVertices)
       result.openCells.push_back(static_cast<VertexId>(vertex));
     }
   }
-  if (AreClosed(sides[ExteriorVertex]))
+  // What is around closed cells is closed, too.
+  if (result.openCells.empty())
   {
     add(ExteriorVertex);
   }

@@ -7,9 +7,8 @@
 #ifndef CellSolids_h
 #define CellSolids_h
 
-#include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace tissue
@@ -37,9 +36,10 @@ struct CellSolids
 };
 
 /** Takes the surfaces of the cells apart, where they share no edge, and finds what each of them bounds. A cavity is in
- * the smallest solid of its cell whose box holds it. */
+ * the smallest solid of its cell whose box holds it. Voids are known where all cells are closed.
+ * \param check the result of CheckCellSurfaces for the mesh and all of its vertices. */
 CellSolids
-FindCellSolids(const WallMesh & mesh, std::size_t numberOfVertices);
+FindCellSolids(const WallMesh & mesh, const CellSurfaceCheck & check);
 } // namespace tissue
 
 #endif

@@ -58,12 +58,18 @@ ChooseTags(const std::vector<Cell> & cells)
 }
 } // namespace
 
-SimulationModel::SimulationModel(const WallMesh & mesh, const std::vector<Cell> & cells)
+SimulationModel::SimulationModel(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
   : m_Mesh(mesh)
   , m_Cells(cells)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
-  m_Solids = FindCellSolids(mesh, cells.size());
+  if (check.cells.size() != cells.size())
+  {
+    throw std::invalid_argument("SimulationModel: the check of the cells' surfaces is for " +
+                                std::to_string(check.cells.size()) + " vertices, must be for " +
+                                std::to_string(cells.size()));
+  }
+  m_Solids = FindCellSolids(mesh, check);
 }
 
 Label

@@ -21,8 +21,9 @@ namespace tissue
 class SimulationModel
 {
 public:
-  /** \throws std::invalid_argument: walls of cells that there are not. */
-  SimulationModel(const WallMesh & mesh, const std::vector<Cell> & cells);
+  /** \param check the result of CheckCellSurfaces for `mesh` and `cells.size()`.
+   * \throws std::invalid_argument: walls of cells that there are not, a check for another number of cells. */
+  SimulationModel(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check);
 
   /** The triangles as MSH 2.2 of Gmsh: the elementary entity of each is the number of its wall, from 1 on. */
   void

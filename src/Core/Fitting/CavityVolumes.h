@@ -26,8 +26,7 @@ struct CavityVolumes
   std::vector<VertexId> cellsOfFilledVoids;
 };
 
-/** \brief Finds the cavities, walls of one cell and the exterior that hang together at points, and no other cell is at,
- * with their normals inwards, and gives them the volumes of the voids of the image.
+/** \brief Finds the cavities (FindCavities()) and gives them the volumes of the voids of the image.
  *
  * A void is the cavity's of the same cell whose box, wider by a voxel on all sides, has its first voxel; of several the
  * smallest. The volume of a cavity without a void is 0.

@@ -6,21 +6,70 @@
  *=========================================================================*/
 #include "Mesh/Cavities.h"
 
-#include "Mesh/WallPieces.h"
+#include "Common/Algorithms.h"
+#include "TissueTessellationCore/Common/DisjointSets.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
+#include <map>
 
 namespace tissue
 {
 namespace
 {
+using Triangles = std::vector<std::size_t>;
+
+const VertexPair &
+CellsOf(const WallMesh & mesh, std::size_t triangle)
+{
+  return mesh.walls[mesh.wallOfTriangle[triangle]].cells;
+}
+
+/** The triangles at the exterior that hang together at points. */
+std::vector<Triangles>
+CollectPieces(const WallMesh & mesh)
+{
+  const auto   isOfSurface = [&mesh](std::size_t t) { return CellsOf(mesh, t)[1] == ExteriorVertex; };
+  DisjointSets sets(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto & [a, b, c] = mesh.triangles[t];
+    if (isOfSurface(t))
+    {
+      sets.Unite(a, b);
+      sets.Unite(a, c);
+    }
+  }
+  std::map<std::int64_t, Triangles> ofSet;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (isOfSurface(t))
+    {
+      ofSet[sets.Find(mesh.triangles[t][0])].push_back(t);
+    }
+  }
+  std::vector<Triangles> pieces;
+  for (auto & [set, triangles] : ofSet)
+  {
+    pieces.push_back(std::move(triangles));
+  }
+  return pieces;
+}
+
+bool
+AreOfOneCell(const WallMesh & mesh, const Triangles & triangles)
+{
+  return std::all_of(triangles.begin(), triangles.end(), [&](std::size_t t) {
+    return CellsOf(mesh, t)[0] == CellsOf(mesh, triangles.front())[0];
+  });
+}
+
 /** Whether each edge of the triangles is there in both directions. */
 bool
-IsClosed(const WallMesh & mesh, std::size_t begin, std::size_t end)
+AreClosed(const WallMesh & mesh, const Triangles & triangles)
 {
   std::vector<std::array<PointId, 2>> edges;
-  for (std::size_t t = begin; t < end; ++t)
+  for (const std::size_t t : triangles)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -33,34 +82,50 @@ IsClosed(const WallMesh & mesh, std::size_t begin, std::size_t end)
   });
 }
 
-/** Six times the volume within the triangles, negative where their normals point inwards. */
+/** The volume on the side that the triangles' normals point to. */
 double
-SignedVolume(const WallMesh & mesh, std::size_t begin, std::size_t end)
+VolumeInFront(const WallMesh & mesh, const Triangles & triangles)
 {
-  double        sum = 0.0;
-  const Point & origin = mesh.points[mesh.triangles[begin][0]];
-  for (std::size_t t = begin; t < end; ++t)
+  double        sixfold = 0.0;
+  const Point & origin = mesh.points[mesh.triangles[triangles.front()][0]];
+  for (const std::size_t t : triangles)
   {
     const auto & [a, b, c] = mesh.triangles[t];
-    sum += Dot(mesh.points[a] - origin, Cross(mesh.points[b] - origin, mesh.points[c] - origin));
+    sixfold -= Dot(mesh.points[a] - origin, Cross(mesh.points[b] - origin, mesh.points[c] - origin));
   }
-  return sum;
+  return sixfold / 6.0;
+}
+
+Cavity
+MakeCavity(const WallMesh & mesh, const Triangles & triangles, double volume)
+{
+  const Point & origin = mesh.points[mesh.triangles[triangles.front()][0]];
+  Cavity        cavity{ CellsOf(mesh, triangles.front())[0], {}, { origin, origin }, volume };
+  for (const std::size_t t : triangles)
+  {
+    cavity.walls.push_back(mesh.wallOfTriangle[t]);
+    for (const PointId p : mesh.triangles[t])
+    {
+      Extend(cavity.box, mesh.points[p]);
+    }
+  }
+  SortUnique(cavity.walls);
+  return cavity;
 }
 } // namespace
 
-std::vector<VertexId>
+std::vector<Cavity>
 FindCavities(const WallMesh & mesh)
 {
-  std::vector<VertexId>          cells;
-  const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  std::vector<Cavity> cavities;
+  for (const Triangles & piece : CollectPieces(mesh))
   {
-    if (mesh.walls[w].cells[1] == ExteriorVertex && first[w] < first[w + 1] &&
-        SignedVolume(mesh, first[w], first[w + 1]) < 0.0 && IsClosed(mesh, first[w], first[w + 1]))
+    const double volume = AreOfOneCell(mesh, piece) ? VolumeInFront(mesh, piece) : 0.0;
+    if (volume > 0.0 && AreClosed(mesh, piece))
     {
-      cells.push_back(mesh.walls[w].cells[0]);
+      cavities.push_back(MakeCavity(mesh, piece, volume));
     }
   }
-  return cells;
+  return cavities;
 }
 } // namespace tissue

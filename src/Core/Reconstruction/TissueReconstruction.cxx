@@ -141,6 +141,18 @@ RemarkCorners(const std::vector<std::int32_t> & unfittedCornersOfCell, std::size
   }
 }
 
+/** The cells with holes of background, one for each hole. */
+std::vector<VertexId>
+CellsOfCavities(const WallMesh & walls)
+{
+  std::vector<VertexId> cells;
+  for (const Cavity & cavity : FindCavities(walls))
+  {
+    cells.push_back(cavity.cell);
+  }
+  return cells;
+}
+
 /** The cells with places that are too sharp to compute on, one for each place. */
 std::vector<VertexId>
 CellsOfSharpPlaces(const TissueReconstruction & result)
@@ -165,7 +177,7 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
   {
     RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
   }
-  RemarkCounts(FindCavities(result.walls), Remark::Cavities, remarks);
+  RemarkCounts(CellsOfCavities(result.walls), Remark::Cavities, remarks);
   RemarkCounts(result.fitting.cellsOfFilledVoids, Remark::CavitiesFilled, remarks);
   RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
   RemarkCounts(CellsOfSharpPlaces(result), Remark::Sharp, remarks);

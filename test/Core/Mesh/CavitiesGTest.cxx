@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
 using namespace tissue;
 
@@ -30,11 +31,24 @@ NestedBlock(VertexId core)
   }
   return MakeVoxelWallMesh({ { 5, 5, 5 } }, vertices);
 }
+
+std::vector<VertexId>
+CellsOf(const std::vector<Cavity> & cavities)
+{
+  std::vector<VertexId> cells;
+  std::transform(cavities.begin(), cavities.end(), std::back_inserter(cells), [](const Cavity & c) { return c.cell; });
+  return cells;
+}
 } // namespace
 
 TEST(Cavities, AreClosedWallsToTheExteriorWithin)
 {
-  EXPECT_EQ(FindCavities(NestedBlock(ExteriorVertex)), std::vector<VertexId>{ 1 });
+  const auto cavities = FindCavities(NestedBlock(ExteriorVertex));
+  ASSERT_EQ(CellsOf(cavities), std::vector<VertexId>{ 1 });
+  EXPECT_DOUBLE_EQ(cavities[0].volume, 1.0);
+  EXPECT_EQ(cavities[0].box.lower, (Point{ { 2.0, 2.0, 2.0 } }));
+  EXPECT_EQ(cavities[0].box.upper, (Point{ { 3.0, 3.0, 3.0 } }));
+  EXPECT_EQ(cavities[0].walls.size(), 1u);
 }
 
 TEST(Cavities, AreNeitherOuterSurfacesNorCellsWithinCells)
