@@ -191,7 +191,7 @@ public:
   /** Returns what visit returns for a pointer to the first number, which is of one of two types. */
   template <typename TVisitor>
   auto
-  Visit(const TVisitor & visit) const
+  Visit(const TVisitor & visit) const -> decltype(visit(static_cast<const VertexId *>(nullptr)))
   {
     return m_Wide.empty() ? visit(m_Narrow.data()) : visit(m_Wide.data());
   }
