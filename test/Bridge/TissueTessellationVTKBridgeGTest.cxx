@@ -11,6 +11,7 @@
 #include <vtkCell.h>
 #include <vtkIdList.h>
 
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -75,6 +76,7 @@ TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
   EXPECT_EQ(data->GetScalars()->GetNumberOfComponents(), 1);
   ASSERT_NE(data->GetArray("BoundaryLabels"), nullptr);
   EXPECT_EQ(data->GetArray("BoundaryLabels")->GetNumberOfComponents(), 2);
+  EXPECT_EQ(data->GetArray("WallPlanarity"), nullptr); // of its statistics
 
   std::map<int, int> trianglesOfWall;
   for (vtkIdType t = 0; t < 40; ++t)
@@ -82,6 +84,8 @@ TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
     const double first = GetValue(data, "BoundaryLabels", t, 0);
     const double second = GetValue(data, "BoundaryLabels", t, 1);
     EXPECT_EQ(GetValue(data, "Label", t), first);
+    EXPECT_EQ(GetValue(data, "Label0", t), first);
+    EXPECT_EQ(GetValue(data, "Label1", t), second);
     EXPECT_NE(first, 7.0);
     EXPECT_TRUE(second == 7.0 || first < second);
     EXPECT_DOUBLE_EQ(GetValue(data, "WallArea", t), second == 7.0 ? 4.0 : 1.0);
@@ -134,7 +138,7 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
 {
   const FourCubes tissue;
   const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
-  const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check);
+  const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(grid->GetNumberOfCells(), 4);
   EXPECT_EQ(GetSpace(grid), "LPS");
   vtkCellData * data = grid->GetCellData();
@@ -168,6 +172,24 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
     EXPECT_EQ(GetValue(data, "NumberOfPieces", c), c == 3 ? 3.0 : 1.0);
     EXPECT_EQ(GetValue(data, "NumberOfVoxels", c), 1001.0 + c);
     EXPECT_EQ(GetValue(data, "NumberOfStrayVoxels", c), c == 3 ? 5.0 : 0.0);
+    EXPECT_DOUBLE_EQ(GetValue(data, "ExteriorArea", c), 4.0);
+    EXPECT_EQ(GetValue(data, "CutArea", c), 0.0);
+    EXPECT_EQ(GetValue(data, "Layer", c), 1.0);
+    EXPECT_NEAR(GetValue(data, "Sphericity", c), 0.805996, 1e-6); // of a cube
+    EXPECT_NEAR(GetValue(data, "Elongation", c), 1.0, 1e-9);
+    EXPECT_NEAR(GetValue(data, "Flatness", c), 1.0, 1e-9);
+    for (const std::string axis : { "MajorAxis", "MiddleAxis", "MinorAxis" })
+    {
+      EXPECT_NEAR(GetValue(data, (axis + "Length").c_str(), c), std::sqrt(5.0 / 3.0), 1e-9);
+      ASSERT_EQ(data->GetArray(axis.c_str())->GetNumberOfComponents(), 3);
+      EXPECT_STREQ(data->GetArray(axis.c_str())->GetComponentName(2), "Z");
+    }
+    const double mean = GetValue(data, "MeanCurvature", c);
+    const double maximum = GetValue(data, "MaximumCurvature", c);
+    const double minimum = GetValue(data, "MinimumCurvature", c);
+    EXPECT_GT(maximum, 0.0);
+    EXPECT_NEAR(0.5 * (maximum + minimum), mean, 1e-12);
+    EXPECT_NEAR(maximum * minimum, GetValue(data, "GaussianCurvature", c), 1e-12);
   }
 }
 
@@ -177,12 +199,64 @@ TEST(TissueTessellationVTKBridge, ACellWithoutTrianglesHasARowButNoPolyhedron)
   tissue.cells.insert(tissue.cells.end(), tissue::Cell());
   tissue.cells[5].label = 50;
   const auto check = tissue::CheckCellSurfaces(tissue.mesh, 6);
-  EXPECT_EQ(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check)->GetNumberOfCells(), 4);
-  const auto table = tissue::MakeCellTable(tissue.mesh, tissue.cells, check);
+  EXPECT_EQ(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, tissue.Statistics())->GetNumberOfCells(), 4);
+  const auto table = tissue::MakeCellTable(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(table->GetNumberOfRows(), 5);
   EXPECT_EQ(GetValue(table->GetRowData(), "Label", 4), 50.0);
   EXPECT_EQ(GetValue(table->GetRowData(), "NumberOfTriangles", 4), 0.0);
   EXPECT_EQ(GetValue(table->GetRowData(), "IsClosed", 4), 0.0);
+}
+
+TEST(TissueTessellationVTKBridge, EachWallHasARowAndItsStatisticsOnItsTriangles)
+{
+  const FourCubes tissue;
+  const auto      statistics = tissue.Statistics();
+  const auto      table = tissue::MakeWallTable(tissue.mesh, tissue.cells, statistics);
+  const auto      walls = tissue::MakeWallPolyData(tissue.mesh, tissue.cells, statistics);
+  ASSERT_EQ(table->GetNumberOfRows(), 8);
+  for (vtkIdType row = 0; row < 8; ++row)
+  {
+    vtkDataSetAttributes * rows = table->GetRowData();
+    const auto &           expected = statistics.walls[row];
+    EXPECT_EQ(GetValue(rows, "WallId", row), static_cast<double>(row));
+    EXPECT_EQ(GetValue(rows, "Label0", row), tissue.cells[tissue.mesh.walls[row].cells[0]].label);
+    EXPECT_EQ(GetValue(rows, "Label1", row), tissue.cells[tissue.mesh.walls[row].cells[1]].label);
+    EXPECT_EQ(GetValue(rows, "Area", row), expected.area);
+    EXPECT_EQ(GetValue(rows, "Center", row, 1), expected.center[1]);
+    EXPECT_EQ(GetValue(rows, "Normal", row, 2), expected.normal[2]);
+    EXPECT_EQ(GetValue(rows, "Planarity", row), expected.planarity);
+    EXPECT_EQ(GetValue(rows, "PlaneDistance", row), expected.planeDistance);
+    EXPECT_EQ(std::isnan(GetValue(rows, "MeanCurvature", row)), std::isnan(expected.meanCurvature));
+    EXPECT_EQ(GetValue(rows, "CutArea", row), 0.0);
+  }
+  for (vtkIdType t = 0; t < walls->GetNumberOfCells(); ++t)
+  {
+    const auto & expected = statistics.walls[static_cast<std::size_t>(GetValue(walls->GetCellData(), "WallId", t))];
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallPlanarity", t), expected.planarity);
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallPlaneDistance", t), expected.planeDistance);
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallCutArea", t), 0.0);
+    ASSERT_NE(walls->GetCellData()->GetArray("WallMeanCurvature"), nullptr);
+  }
+}
+
+TEST(TissueTessellationVTKBridge, TheNeighborsAreThePairsOfCellsThatShareWalls)
+{
+  FourCubes tissue;
+  tissue.mesh.walls.push_back(tissue.mesh.walls.back()); // a second wall of the last pair
+  tissue.mesh.wallOfTriangle.back() = 8;
+  const auto table = tissue::MakeNeighborTable(tissue.mesh, tissue.cells);
+  ASSERT_EQ(table->GetNumberOfRows(), 4);
+  std::map<std::array<int, 2>, int> walls;
+  for (vtkIdType row = 0; row < 4; ++row)
+  {
+    vtkDataSetAttributes * rows = table->GetRowData();
+    EXPECT_DOUBLE_EQ(GetValue(rows, "weight", row), 1.0);
+    walls[{ { static_cast<int>(GetValue(rows, "Label0", row)), static_cast<int>(GetValue(rows, "Label1", row)) } }] =
+      static_cast<int>(GetValue(rows, "NumberOfWalls", row));
+  }
+  EXPECT_EQ(walls,
+            (std::map<std::array<int, 2>, int>{
+              { { { 10, 20 } }, 1 }, { { { 10, 30 } }, 1 }, { { { 20, 40 } }, 1 }, { { { 30, 40 } }, 2 } }));
 }
 
 TEST(TissueTessellationVTKBridge, TetrahedraWithTheExteriorAreTrianglesOfTheSurface)
@@ -222,11 +296,20 @@ TEST(TissueTessellationVTKBridge, WhatDoesNotFitTogetherIsRefused)
 {
   FourCubes  tissue;
   const auto check = tissue::CheckCellSurfaces(tissue.mesh, 5);
+  const auto statistics = tissue.Statistics();
   EXPECT_THROW(tissue::MakeComplexGrid({ { { 1, 2, 3, 5 } } }, tissue.cells), std::invalid_argument);
   EXPECT_THROW(tissue::MakeComplexGrid({ { { -1, 2, 3, 4 } } }, tissue.cells), std::invalid_argument);
+  const auto refuse = [&](const auto & make) { EXPECT_THROW(make(), std::invalid_argument); };
+  const auto refuseAll = [&] {
+    refuse([&] { tissue::MakeCellTable(tissue.mesh, tissue.cells, check, statistics); });
+    refuse([&] { tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, statistics); });
+    refuse([&] { tissue::MakeWallTable(tissue.mesh, tissue.cells, statistics); });
+    refuse([&] { tissue::MakeWallPolyData(tissue.mesh, tissue.cells, statistics); });
+  };
   tissue.cells.push_back(tissue::Cell());
-  EXPECT_THROW(tissue::MakeCellTable(tissue.mesh, tissue.cells, check), std::invalid_argument);
+  refuseAll();
   tissue.cells.resize(4);
-  EXPECT_THROW(tissue::MakeWallPolyData(tissue.mesh, tissue.cells), std::invalid_argument);
-  EXPECT_THROW(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check), std::invalid_argument);
+  refuseAll();
+  refuse([&] { tissue::MakeWallPolyData(tissue.mesh, tissue.cells); });
+  refuse([&] { tissue::MakeNeighborTable(tissue.mesh, tissue.cells); });
 }

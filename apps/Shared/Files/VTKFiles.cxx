@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Shared/Files/VTKFiles.h"
 
+#include "Shared/Files/TableColumns.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,7 +22,6 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
@@ -28,7 +29,6 @@
 #include <vtkXMLWriter.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 
@@ -79,24 +79,16 @@ AppendText(std::string & row, const std::string & text)
   row += '"';
 }
 
+/** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
 void
-AppendValue(std::string & row, vtkAbstractArray * values, vtkIdType index)
+ClearNotes(vtkFieldData * arrays)
 {
-  if (auto * const texts = vtkStringArray::SafeDownCast(values))
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
-    AppendText(row, texts->GetValue(index));
-    return;
+    arrays->GetAbstractArray(i)->GetInformation()->Clear();
   }
-  vtkDataArray * const column = vtkDataArray::SafeDownCast(values);
-  if (column->GetDataType() != VTK_DOUBLE)
-  {
-    row += std::to_string(column->GetVariantValue(index).ToTypeInt64());
-    return;
-  }
-  char       text[32];
-  const auto end = std::to_chars(text, text + sizeof(text), column->GetComponent(index, 0)).ptr;
-  row.append(text, end);
 }
+} // namespace
 
 void
 WriteBytes(const std::string & bytes, const std::string & path)
@@ -109,17 +101,6 @@ WriteBytes(const std::string & bytes, const std::string & path)
     throw std::runtime_error(std::strerror(errno));
   }
 }
-
-/** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
-void
-ClearNotes(vtkFieldData * arrays)
-{
-  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-  {
-    arrays->GetAbstractArray(i)->GetInformation()->Clear();
-  }
-}
-} // namespace
 
 void
 WriteXML(vtkPointSet * data, const std::string & path)
@@ -143,18 +124,20 @@ WriteXML(vtkPointSet * data, const std::string & path)
 void
 WriteCSV(vtkTable * table, const std::string & path)
 {
-  std::string text;
-  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  const std::vector<TableColumn> columns = ListColumns(table);
+  std::string                    text;
+  for (std::size_t c = 0; c < columns.size(); ++c)
   {
-    text += (column == 0 ? "" : ",") + std::string(table->GetColumnName(column));
+    text += c == 0 ? "" : ",";
+    AppendText(text, columns[c].name);
   }
   text += '\n';
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    for (std::size_t c = 0; c < columns.size(); ++c)
     {
-      text += column == 0 ? "" : ",";
-      AppendValue(text, table->GetColumn(column), row);
+      text += c == 0 ? "" : ",";
+      AppendText(text, ToText(columns[c], row));
     }
     text += '\n';
   }

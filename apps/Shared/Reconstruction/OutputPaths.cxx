@@ -20,9 +20,14 @@ namespace tissue
 std::vector<OutputPaths::Output>
 OutputPaths::List() const
 {
-  std::vector<Output> outputs{ { walls, "cell walls" },    { complex, "adjacency complex" },
-                               { cells, "cells" },         { statistics, "statistics of the cells" },
-                               { junctions, "junctions" }, { report, "report" },
+  std::vector<Output> outputs{ { walls, "cell walls" },
+                               { complex, "adjacency complex" },
+                               { cells, "cells" },
+                               { statistics, "statistics of the cells" },
+                               { wallStatistics, "statistics of the walls" },
+                               { graph, "graph of neighbours" },
+                               { junctions, "junctions" },
+                               { report, "report" },
                                { picture, "picture" } };
   const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
@@ -42,6 +47,11 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
   add("--complex", paths.complex, ".vtu", "The adjacency complex");
   add("--cells", paths.cells, ".vtu", "The cells as polyhedra, with their statistics");
   add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
+  add("--walls", paths.wallStatistics, ".csv", "The walls' statistics, one row a wall");
+  add("--graph",
+      paths.graph,
+      ".graphml",
+      "Which cells are neighbours: a node a cell with its statistics, an edge by the area of two cells' walls");
   add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");
   add("--report", paths.report, ".json", "Report of the run");
   add("--picture", paths.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");

@@ -21,6 +21,8 @@ struct OutputPaths
   std::string complex;
   std::string cells;
   std::string statistics;
+  std::string wallStatistics;
+  std::string graph;
   std::string junctions;
   std::string report;
   std::string picture;

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionOutput.h"
 
+#include "Shared/Files/GraphFile.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
@@ -50,6 +51,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   const TissueReconstruction & reconstruction = report.GetReconstruction();
   const WallMesh &             walls = reconstruction.walls;
   const CellSurfaceCheck &     check = report.tissue.check;
+  const TissueStatistics &     statistics = report.tissue.statistics;
   const std::vector<Cell> &    cells = report.GetCells();
   OutputFiles                  files;
   const auto                   add = [&files](const std::string & path, const OutputFiles::Writer & write) {
@@ -59,19 +61,23 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     }
   };
   progress.Begin("Writing");
-  add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
+  add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells, statistics), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
   add(paths.cells, [&](const std::string & path) {
-    const auto grid = MakeCellGrid(walls, cells, check);
+    const auto grid = MakeCellGrid(walls, cells, check, statistics);
     AddNames(grid->GetCellData(), report.input.names);
     WriteXML(grid, path);
   });
-  add(paths.statistics, [&](const std::string & path) {
-    const auto table = MakeCellTable(walls, cells, check);
+  const auto makeCellTable = [&] {
+    const auto table = MakeCellTable(walls, cells, check, statistics);
     AddNames(table->GetRowData(), report.input.names);
-    WriteCSV(table, path);
-  });
+    return table;
+  };
+  add(paths.statistics, [&](const std::string & path) { WriteCSV(makeCellTable(), path); });
+  add(paths.wallStatistics, [&](const std::string & path) { WriteCSV(MakeWallTable(walls, cells, statistics), path); });
+  add(paths.graph,
+      [&](const std::string & path) { WriteGraphML(makeCellTable(), MakeNeighborTable(walls, cells), path); });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
