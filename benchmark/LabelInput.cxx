@@ -61,7 +61,7 @@ MakePeerVolume(const CellImage * image)
 {
   const auto  region = image->GetBufferedRegion();
   LabelVolume volume;
-  volume.vertices.assign(image->GetBufferPointer(), image->GetBufferPointer() + region.GetNumberOfPixels());
+  volume.vertices = VoxelVertices(image->GetBufferPointer(), image->GetBufferPointer() + region.GetNumberOfPixels());
   for (unsigned int i = 0; i < 3; ++i)
   {
     volume.size[i] = static_cast<std::int32_t>(region.GetSize(i));

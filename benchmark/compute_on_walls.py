@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """Computes on a mesh of cell walls with what Debian has for it: a check of meshes, and an example to start from.
 
-    compute_on_walls.py walls.vtp FOLDER [--only gmsh tetgen calculix] [--thickness T] [--pressure P]
+    TissueTessellation labels.mha FOLDER/walls.vtp --simulation FOLDER/tissue.geo --simulation FOLDER/tissue.smesh
+        --statistics FOLDER/cells.csv
+    compute_on_walls.py FOLDER [--only gmsh tetgen calculix] [--thickness T] [--pressure P]
 
 - Gmsh meshes each cell with tetrahedra, its walls kept (`cells.msh`: physical volumes are the cells' labels).
-- TetGen does the same without a point more on any wall (`walls.1.ele`: the region of each tetrahedron).
+- TetGen does the same without a point more on any wall (`tissue.1.ele`: the region of each tetrahedron).
 - CalculiX computes the walls as elastic shells (S3) under the cells' turgor, the pressure difference at each wall
   (`walls.frd`, `walls.dat`). Lengths are those of the mesh; pressures, and Young's modulus, in units of their own.
 
@@ -12,10 +14,11 @@ FOLDER gets all files, and `report.json`: cells meshed, cells whose volume is an
 dihedral angle below 5 degrees, whether the computation came to its end. The exit code is 1 where one of the programs
 fails, or leaves a cell out.
 
-Needs python3-scipy and python3-vtk9; gmsh, tetgen, calculix-ccx for the parts.
+Needs python3-meshio and python3-vtk9; gmsh, tetgen, calculix-ccx for the parts.
 """
 
 import argparse
+import csv
 import json
 import pathlib
 import shutil
@@ -23,68 +26,30 @@ import subprocess
 import sys
 import time
 
+import meshio
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 PROGRAMS = {"gmsh": "gmsh", "tetgen": "tetgen", "calculix": "ccx"}
 
 
-class Piece:
-    """A closed piece of a cell: its label, volume, walls, and a point within. Those around cavities of it are in it."""
-
-    def __init__(self, label, volume, walls, box, inside):
-        self.label, self.volume, self.loops, self.box, self.inside = label, volume, [walls], box, inside
-
-    def holds(self, box):
-        return (self.box[0] <= box[0]).all() and (box[1] <= self.box[1]).all()
-
-
 class Walls:
-    """Points, triangles, and of each triangle its wall and the two labels; normals point from the first to the second."""
+    """Points, triangles, and of each triangle the two labels: its normal points from the first to the second. And the
+    volume of each cell, by its label."""
 
-    def __init__(self, path):
+    def __init__(self, folder):
         reader = vtkXMLPolyDataReader()
-        reader.SetFileName(str(path))
+        reader.SetFileName(str(folder / "walls.vtp"))
         reader.Update()
         mesh = reader.GetOutput()
         if mesh.GetNumberOfCells() == 0:
-            sys.exit(f"{path}: no triangles")
+            sys.exit(f"{folder / 'walls.vtp'}: no triangles")
         self.points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
         self.triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         self.labels = vtk_to_numpy(mesh.GetCellData().GetArray("BoundaryLabels")).astype(np.int64)
-        self.walls = vtk_to_numpy(mesh.GetCellData().GetArray("WallId"))
-        self.pieces = [piece for label in np.unique(self.labels) for piece in self.pieces_of(int(label))]
-        self.cells = sorted({piece.label for piece in self.pieces})
-
-    def pieces_of(self, label):
-        """Those of positive volume; none for the exterior, which is around all."""
-        sides = [np.nonzero(self.labels[:, side] == label)[0] for side in (0, 1)]
-        triangles = np.concatenate(sides)
-        outward = np.concatenate([self.triangles[sides[0]], self.triangles[sides[1]][:, ::-1]])
-        ids, local = np.unique(outward, return_inverse=True)
-        local = local.reshape(-1, 3)
-        edges = np.concatenate([local[:, :2], local[:, 1:]])
-        graph = coo_matrix((np.ones(len(edges)), edges.T), (len(ids), len(ids)))
-        number, part = connected_components(graph, directed=False)
-        solid, cavities = [], []
-        for i in range(number):
-            rows = part[local[:, 0]] == i
-            p = self.points[outward[rows]]
-            normals = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-            volume = np.einsum("ij,ij->", p[:, 0] - p[0, 0], normals) / 6
-            best = np.argmax((normals ** 2).sum(1))
-            depth = 1e-3 / np.sqrt(np.linalg.norm(normals[best]))
-            box = p.min((0, 1)), p.max((0, 1))
-            piece = Piece(label, volume, np.unique(self.walls[triangles[rows]]), box, p[best].mean(0) - depth * normals[best])
-            (solid if volume > 0 else cavities).append(piece)
-        for cavity in cavities if solid else []:
-            around = next(piece for piece in solid if piece.holds(cavity.box))
-            around.loops += cavity.loops
-            around.volume += cavity.volume
-        return solid
+        with open(folder / "cells.csv", newline="") as stream:
+            self.volumes = {int(row["Label"]): float(row["Volume"]) for row in csv.DictReader(stream)}
 
 
 def worst_angles(points, tetrahedra):
@@ -109,9 +74,9 @@ def volumes_of(points, tetrahedra):
 def summarize(walls, points, tetrahedra, labels):
     volumes = volumes_of(points, tetrahedra)
     angles = worst_angles(points, tetrahedra)
-    wanted = {label: sum(p.volume for p in walls.pieces if p.label == label) for label in walls.cells}
+    wanted = walls.volumes
     meshed = {label: volumes[labels == label].sum() for label in np.unique(labels)}
-    off = {int(c) for c in wanted if not np.isclose(meshed.get(c, 0.0), wanted[c], rtol=1e-6)}
+    off = {int(c) for c in wanted if not np.isclose(meshed.get(c, 0.0), wanted[c], rtol=1e-9)}
     return {
         "cells": len(wanted),
         "cellsMeshed": len(set(meshed) & set(wanted)),
@@ -131,66 +96,32 @@ def run(command, folder, log):
 
 
 def mesh_with_gmsh(walls, folder):
-    ids = {wall: i + 1 for i, wall in enumerate(np.unique(walls.walls))}
-    with open(folder / "walls.msh", "w") as file:
-        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n%d\n" % len(walls.points))
-        for i, p in enumerate(walls.points):
-            file.write("%d %.17g %.17g %.17g\n" % (i + 1, *p))
-        file.write("$EndNodes\n$Elements\n%d\n" % len(walls.triangles))
-        for i, (t, wall) in enumerate(zip(walls.triangles, walls.walls)):
-            file.write("%d 2 2 %d %d %d %d %d\n" % (i + 1, ids[wall], ids[wall], *(t + 1)))
-        file.write("$EndElements\n")
-    with open(folder / "walls.geo", "w") as file:
-        file.write('Merge "walls.msh";\n')
-        loop = 0
-        for i, piece in enumerate(walls.pieces):
-            first = loop + 1
-            for surfaces in piece.loops:
-                loop += 1
-                file.write(f"Surface Loop({loop}) = {{{', '.join(str(ids[wall]) for wall in surfaces)}}};\n")
-            file.write(f"Volume({i + 1}) = {{{', '.join(map(str, range(first, loop + 1)))}}};\n")
-        for label in walls.cells:
-            volumes = [str(i + 1) for i, piece in enumerate(walls.pieces) if piece.label == label]
-            file.write(f"Physical Volume({label}) = {{{', '.join(volumes)}}};\n")
-    code, seconds = run(["gmsh", "-3", "walls.geo", "-o", "cells.msh", "-format", "msh22"], folder, "gmsh.log")
+    command = ["gmsh", "-3", "tissue.geo", "-o", "cells.msh", "-format", "msh22"]
+    code, seconds = run(command, folder, "gmsh.log")
     if code != 0 or not (folder / "cells.msh").exists():
         return {"failed": "see gmsh.log", "seconds": seconds}
-    lines = (folder / "cells.msh").read_text().splitlines()
-    at = lines.index("$Nodes")
-    nodes = [line.split() for line in lines[at + 2:at + 2 + int(lines[at + 1])]]
-    points = np.zeros((max(int(n[0]) for n in nodes) + 1, 3))
-    points[[int(n[0]) for n in nodes]] = [list(map(float, n[1:])) for n in nodes]
-    at = lines.index("$Elements")
-    elements = [line.split() for line in lines[at + 2:at + 2 + int(lines[at + 1])]]
-    tetrahedra = np.array([list(map(int, e[-4:])) for e in elements if e[1] == "4"])
-    regions = np.array([int(e[3]) for e in elements if e[1] == "4"])
-    if len(tetrahedra) == 0:
+    mesh = meshio.read(folder / "cells.msh")
+    blocks = [i for i, block in enumerate(mesh.cells) if block.type == "tetra"]
+    if not blocks:
         return {"failed": "no tetrahedra, see gmsh.log", "seconds": seconds}
-    return {**summarize(walls, points, tetrahedra, regions), "seconds": seconds}
+    tetrahedra = np.concatenate([mesh.cells[i].data for i in blocks])
+    regions = np.concatenate([mesh.cell_data["gmsh:physical"][i] for i in blocks])
+    return {**summarize(walls, mesh.points, tetrahedra, regions), "seconds": seconds}
 
 
 def mesh_with_tetgen(walls, folder):
-    with open(folder / "walls.smesh", "w") as file:
-        file.write("%d 3 0 0\n" % len(walls.points))
-        for i, p in enumerate(walls.points):
-            file.write("%d %.17g %.17g %.17g\n" % (i, *p))
-        file.write("%d 1\n" % len(walls.triangles))
-        for t, wall in zip(walls.triangles, walls.walls):
-            file.write("3 %d %d %d %d\n" % (*t, wall + 1))
-        file.write("0\n%d\n" % len(walls.pieces))
-        for i, piece in enumerate(walls.pieces):
-            file.write("%d %.17g %.17g %.17g %d\n" % (i, *piece.inside, piece.label))
-    code, seconds = run(["tetgen", "-pqAYQ", "walls.smesh"], folder, "tetgen.log")
-    if code != 0 or not (folder / "walls.1.ele").exists():
+    code, seconds = run(["tetgen", "-pqAYQ", "tissue.smesh"], folder, "tetgen.log")
+    if code != 0 or not (folder / "tissue.1.ele").exists():
         return {"failed": "see tetgen.log", "seconds": seconds}
-    points = np.loadtxt(folder / "walls.1.node", skiprows=1, usecols=(1, 2, 3))
-    elements = np.loadtxt(folder / "walls.1.ele", skiprows=1, dtype=np.int64)
+    points = np.loadtxt(folder / "tissue.1.node", skiprows=1, usecols=(1, 2, 3))
+    elements = np.loadtxt(folder / "tissue.1.ele", skiprows=1, dtype=np.int64)
     return {**summarize(walls, points, elements[:, 1:5], elements[:, 5]), "seconds": seconds}
 
 
 def compute_with_calculix(walls, folder, thickness, pressure):
     """Shells of one material, the turgor a fifth more or less from cell to cell; the lowest points are held."""
-    turgor = dict(zip(walls.cells, pressure * (1 + 0.2 * np.sin(np.arange(len(walls.cells))))))
+    cells = sorted(walls.volumes)
+    turgor = dict(zip(cells, pressure * (1 + 0.2 * np.sin(np.arange(len(cells))))))
     height = walls.points[:, 2]
     held = np.nonzero(height <= height.min() + 0.1 * np.ptp(height))[0]
     with open(folder / "walls.inp", "w") as file:
@@ -220,7 +151,6 @@ def compute_with_calculix(walls, folder, thickness, pressure):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("walls", type=pathlib.Path)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--only", nargs="+", choices=PROGRAMS, default=list(PROGRAMS))
     parser.add_argument("--thickness", type=float, default=0.3, help="of the shells, in the units of the mesh")
@@ -229,8 +159,7 @@ def main():
     absent = [PROGRAMS[name] for name in arguments.only if shutil.which(PROGRAMS[name]) is None]
     if absent:
         sys.exit("not installed: " + ", ".join(absent))
-    arguments.folder.mkdir(parents=True, exist_ok=True)
-    walls = Walls(arguments.walls)
+    walls = Walls(arguments.folder)
     compute = {
         "gmsh": lambda: mesh_with_gmsh(walls, arguments.folder),
         "tetgen": lambda: mesh_with_tetgen(walls, arguments.folder),

@@ -9,6 +9,7 @@
 
 // These headers make VTK data of the module's results: walls, cells with their statistics, the adjacency complex, and
 // the image's junctions.
+#include "TissueTessellationVTK/CellSurfaces.h"
 #include "TissueTessellationVTK/Cells.h"
 #include "TissueTessellationVTK/Complex.h"
 #include "TissueTessellationVTK/Junctions.h"

@@ -178,7 +178,7 @@ private:
   MakeLabelVolume(const tissue::JunctionSet & junctions) const;
 
   void
-  NumberVoxels(const tissue::JunctionSet & junctions, std::vector<tissue::VertexId> & vertices) const;
+  NumberVoxels(const tissue::JunctionSet & junctions, tissue::LabelVolume & volume) const;
 
   ExteriorLabelSettings      m_Exterior;
   std::vector<tissue::Label> m_UsedDroppedLabels;

@@ -391,25 +391,27 @@ LabelJunctionExtractionFilter<TLabelImage>::MakeLabelVolume(const tissue::Juncti
   volume->size = junctions.grid.size;
   volume->origin = junctions.grid.origin;
   volume->steps = junctions.grid.steps;
-  volume->vertices.resize(this->GetInput()->GetLargestPossibleRegion().GetNumberOfPixels());
-  this->NumberVoxels(junctions, volume->vertices);
+  this->NumberVoxels(junctions, *volume);
   return volume;
 }
 
 template <typename TLabelImage>
 void
-LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionSet &     junctions,
-                                                         std::vector<tissue::VertexId> & vertices) const
+LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionSet & junctions,
+                                                         tissue::LabelVolume &       volume) const
 {
   std::unordered_map<tissue::Label, tissue::VertexId> vertexOf;
   for (std::size_t v = 1; v < junctions.cells.size(); ++v)
   {
     vertexOf[junctions.cells[v].label] = static_cast<tissue::VertexId>(v);
   }
+  const std::size_t numberOfPixels = this->GetInput()->GetLargestPossibleRegion().GetNumberOfPixels();
+  volume.vertices = tissue::VoxelVertices(
+    numberOfPixels, tissue::ExteriorVertex, static_cast<tissue::VertexId>(junctions.cells.size()));
   const LabelPixelType * const pixels = this->GetInput()->GetBufferPointer();
   LabelPixelType               recent{};
   tissue::VertexId             vertex = -1;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  for (std::size_t i = 0; i < numberOfPixels; ++i)
   {
     if (vertex < 0 || pixels[i] != recent)
     {
@@ -417,7 +419,7 @@ LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionS
       const auto found = vertexOf.find(static_cast<tissue::Label>(recent));
       vertex = found != vertexOf.end() ? found->second : tissue::ExteriorVertex;
     }
-    vertices[i] = vertex;
+    volume.vertices.Put(i, vertex);
   }
 }
 

@@ -24,7 +24,8 @@ namespace itk
  * \brief The label image of a tissue by the vertices of its cells, as an object of the pipeline.
  *
  * Holds a tissue::LabelVolume, whose vertices are those of the TissueJunctions that it is made with: a voxel of a cell
- * has the cell's vertex, one of an enclosed void the void's, and all others the exterior's. It takes 4 bytes a voxel.
+ * has the cell's vertex, one of an enclosed void the void's, and all others the exterior's. It takes 2 bytes a voxel, 4
+ * with more than 65535 cells.
  * With it JunctionsToCellWallMeshFilter fits the walls to the image.
  *
  * \sa LabelJunctionExtractionFilter JunctionsToCellWallMeshFilter

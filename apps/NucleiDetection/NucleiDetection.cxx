@@ -11,7 +11,9 @@
 #include "Shared/CommandLine/ProgressBar.h"
 #include "Shared/CommandLine/RunOptions.h"
 #include "Shared/CommandLine/RunProgram.h"
+#include "Shared/CommandLine/SlicerOptions.h"
 #include "Shared/Files/OutputFiles.h"
+#include "Shared/Files/ReturnParameters.h"
 #include "Shared/Images/ScalarImageInput.h"
 #include "Shared/Points/NucleiSearch.h"
 #include "Shared/Points/PointFileWriter.h"
@@ -29,6 +31,7 @@ struct Options
   std::string      image;
   std::string      points;
   std::string      picture;
+  std::string      returnParameters;
   DetectionOptions detection;
   ImageOptions     input;
   RunOptions       run;
@@ -43,7 +46,8 @@ AddOptions(CLI::App & app, Options & options)
     .add_option(
       "image", options.image, "3-D image of one component, in any of ITK's formats, TIFF, HDF5 (FILE:/NAME) or .inr.gz")
     ->required();
-  app.add_option("points", options.points, "Points to write: .csv, .fcsv (3D Slicer) or .vtp (ParaView)")->required();
+  app.add_option("points", options.points, "Points to write: .csv, .mrk.json or .fcsv (3D Slicer), or .vtp (ParaView)")
+    ->required();
   app
     .add_option(
       "--picture", options.picture, "Also write a PNG: the brightest voxels along the last axis, the blobs as circles")
@@ -51,6 +55,14 @@ AddOptions(CLI::App & app, Options & options)
   AddDetectionOptions(app, options.detection);
   AddImageOptions(app, options.input);
   AddRunOptions(app, options.run);
+  const SlicerModule module{
+    "Nuclei Detection",
+    { { "image", SlicerUse::Image }, { "points", SlicerUse::OutputPoints } },
+    { { "numberOfNuclei", "integer", "Nuclei that were found" },
+      { "smallestScale", "double", "Standard deviation of the smallest that were looked for" },
+      { "largestScale", "double", "Standard deviation of the largest that were looked for" } }
+  };
+  AddSlicerOptions(app, module, options.returnParameters);
 }
 
 /** Throws for everything that would make the outputs impossible, before the work. */
@@ -58,7 +70,7 @@ void
 RequireOutputs(const Options & options)
 {
   RequirePointFormat(options.points);
-  for (const std::string & path : { options.points, options.picture })
+  for (const std::string & path : { options.points, options.picture, options.returnParameters })
   {
     if (!path.empty())
     {
@@ -89,9 +101,20 @@ ToTable(const DetectionFilter & detection)
   return table;
 }
 
-void
-WriteOutputs(const PointTable & table, const ScalarImage * image, const Options & options, ProgressBar & progress)
+/** Those that 3D Slicer was told of. */
+ReturnParameters
+ResultsOf(const DetectionFilter & detection)
 {
+  return { { "numberOfNuclei", static_cast<double>(detection.GetOutput()->GetNumberOfPoints()) },
+           { "smallestScale", detection.GetUsedMinimumScale() },
+           { "largestScale", detection.GetUsedMaximumScale() } };
+}
+
+void
+WriteOutputs(const DetectionFilter & detection, const ScalarImage * image, const Options & options,
+             ProgressBar & progress)
+{
+  const PointTable table = ToTable(detection);
   progress.Begin("Writing");
   OutputFiles files;
   files.Add(options.points,
@@ -99,6 +122,11 @@ WriteOutputs(const PointTable & table, const ScalarImage * image, const Options 
   if (!options.picture.empty())
   {
     files.Add(options.picture, [&](const std::string & path) { WriteBlobPicture(image, table, path); });
+  }
+  if (!options.returnParameters.empty())
+  {
+    files.Add(options.returnParameters,
+              [&](const std::string & path) { WriteReturnParameters(ResultsOf(detection), path); });
   }
   files.Commit();
   progress.End();
@@ -148,7 +176,7 @@ main(int argc, char * argv[])
     const ScalarImageFile file = ReadScalarImage(options.image, options.input);
     const auto            detection =
       WithFileName(options.image, [&] { return DetectNuclei(file.image, options.detection, progress); });
-    WriteOutputs(ToTable(*detection), file.image, options, progress);
+    WriteOutputs(*detection, file.image, options, progress);
     Say(options, file.warnings, *detection);
   });
 }

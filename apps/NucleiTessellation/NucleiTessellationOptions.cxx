@@ -7,7 +7,9 @@
 #include "NucleiTessellation/NucleiTessellationOptions.h"
 
 #include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/CommandLine/SlicerOptions.h"
 #include "Shared/Points/PointFileReader.h"
+#include "Shared/Reconstruction/ReconstructionModule.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,7 +40,8 @@ AddPointFileOptions(CLI::App & app, PointFileOptions & options)
                 options.spacing,
                 "Size of a voxel, for points in voxels: what their coordinates are multiplied by")
     ->check(InRange(1e-9, 1e9))
-    ->type_name("X Y Z")
+    ->type_name("FLOAT FLOAT FLOAT")
+    ->delimiter(',')
     ->group(group);
 }
 
@@ -138,6 +141,20 @@ CompleteImageOptions(NucleiTessellationOptions & options)
   options.membrane.image.frameOption = isPointFile ? "--membraneFrame" : "--frame";
   options.evaluation.image = image.ForFurther();
 }
+
+/** 3D Slicer has points as markups: options of tables, and of images in their place, make no sense there. */
+SlicerModule
+MakeModule()
+{
+  std::map<std::string, SlicerUse> uses{ { "points", SlicerUse::InputPoints },
+                                         { "--box", SlicerUse::Image },
+                                         { "--membrane", SlicerUse::Image } };
+  for (const char * name : { "--columns", "--frame", "--firstLine", "--centersOf", DetectionGroup.c_str() })
+  {
+    uses.emplace(name, SlicerUse::LeftOut);
+  }
+  return MakeReconstructionModule("Nuclei Tessellation", uses);
+}
 } // namespace
 
 std::optional<NucleiTessellationOptions>
@@ -159,6 +176,7 @@ ParseCommandLine(int argc, char ** argv)
   AddMethodOptions(app, options.method);
   AddRunOptions(app, options.run);
   AddStrictOption(app, options.run);
+  AddSlicerOptions(app, MakeModule(), options.outputs.returnParameters);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;

@@ -7,7 +7,9 @@
 #include "TissueTessellation/TissueTessellationOptions.h"
 
 #include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/CommandLine/SlicerOptions.h"
 #include "Shared/Reconstruction/ExteriorOptions.h"
+#include "Shared/Reconstruction/ReconstructionModule.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +17,10 @@ namespace tissue
 {
 namespace
 {
+const std::string MembraneOption = "--membrane";
+const std::string ImageOption = "--imageIs";
+const std::string Membranes = "membranes";
+
 void
 AddImageOptions(CLI::App & app, LabelImageOptions & options)
 {
@@ -26,32 +32,39 @@ AddImageOptions(CLI::App & app, LabelImageOptions & options)
   app
     .add_flag(
       "--closeGaps{0}",
-      "Grow the labels over walls of background between them; --closeGaps=WIDTH: over walls up to this width, in "
-      "the image's units, instead of one chosen from the image")
+      "Grow the labels over walls of background between them; --closeGaps WIDTH: over walls up to this width, in "
+      "the image's units; 0: a width chosen from the image, as without one")
     ->check(InRange(0.0, 1e12))
     ->group(group);
 }
 
 /** Whether the cells come from an image of membranes must be known before the files are. */
 void
-AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & options)
+AddInputOptions(CLI::App & app, const FoundOptions & found, TissueTessellationOptions & options)
 {
-  if (!hasMembranes)
+  const auto imageIs = found.find(ImageOption);
+  if (found.count(MembraneOption) == 0)
   {
+    const bool areMembranes = imageIs != found.end() && imageIs->second == Membranes;
     app
       .add_option(
         "labels",
-        options.image.file,
+        areMembranes ? options.membrane.file : options.image.file,
         "Segmented 3-D image in any of ITK's formats, TIFF, HDF5 (FILE:/NAME) or .inr.gz; none with --membrane")
       ->required()
       ->type_name("FILE");
   }
   const std::string group = "Membranes";
   app
-    .add_option("--membrane",
+    .add_option(MembraneOption,
                 options.membrane.file,
                 "Image of cell membranes, in place of the segmented one: its minima are the cells")
     ->type_name("FILE")
+    ->group(group);
+  app.add_option(ImageOption, "What the image is, where there is no --membrane: labels of the cells, or membranes")
+    ->excludes(MembraneOption)
+    ->check(CLI::IsMember(std::vector<std::string>{ "labels", Membranes }))
+    ->default_str("labels")
     ->group(group);
   app
     .add_option("--markerSigma",
@@ -80,20 +93,23 @@ AddInputOptions(CLI::App & app, bool hasMembranes, TissueTessellationOptions & o
 std::optional<TissueTessellationOptions>
 ParseCommandLine(int argc, char ** argv)
 {
-  const std::string         membrane = "--membrane";
-  const FoundOptions        found = FindOptions({ PresetOption, membrane }, argc, argv);
+  const FoundOptions        found = FindOptions({ PresetOption, MembraneOption, ImageOption }, argc, argv);
   TissueTessellationOptions options;
   CLI::App                  app{ "From a segmented 3-D image of a tissue to the triangular mesh of all its cell walls.",
                 "TissueTessellation" };
   app.set_version_flag("--version", TISSUE_TESSELLATION_VERSION);
   options.method = ChoosePreset(found, ReconstructionParameters(), ReconstructionParameters::PaperPreset());
-  AddInputOptions(app, found.count(membrane) > 0, options);
+  AddInputOptions(app, found, options);
   AddOutputOptions(app, options.outputs);
   AddImageOptions(app, options.image);
   AddEvaluationOptions(app, options.evaluation);
   AddMethodOptions(app, options.method);
   AddRunOptions(app, options.run);
   AddStrictOption(app, options.run);
+  AddSlicerOptions(app,
+                   MakeReconstructionModule("Tissue Tessellation",
+                                            { { "labels", SlicerUse::Image }, { MembraneOption, SlicerUse::LeftOut } }),
+                   options.outputs.returnParameters);
   if (!Parse(app, argc, argv))
   {
     return std::nullopt;

@@ -36,7 +36,7 @@ struct TissueTessellationOptions
   }
 };
 
-/** The options of the command line, or nothing after --help and --version, which have then been answered.
+/** The options of the command line, or nothing after --help and the like, which have then been answered.
  * \throws std::exception that names the option and what is wrong with it. */
 std::optional<TissueTessellationOptions>
 ParseCommandLine(int argc, char ** argv);

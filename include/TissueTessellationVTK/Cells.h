@@ -28,34 +28,32 @@ struct NeighborPair
   std::int32_t numberOfWalls = 0;
 };
 
-/** The pairs of cells, without the exterior, that share walls, the vertices of each ascending. */
+/** The pairs of cells, without the exterior, that share walls, the vertices of each ascending. \param walls of the
+ * mesh. */
 inline std::map<VertexPair, NeighborPair>
-FindNeighborPairs(const WallMesh & mesh)
+FindNeighborPairs(const WallMesh & mesh, const std::vector<WallStatistics> & walls)
 {
-  const std::vector<double>          areas = ComputeWallAreas(mesh);
   std::map<VertexPair, NeighborPair> pairs;
-  WallId                             previous = -1;
-  for (const WallId wall : mesh.wallOfTriangle)
+  for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    VertexPair cells = mesh.walls[wall].cells;
+    VertexPair cells = mesh.walls[w].cells;
     std::sort(cells.begin(), cells.end());
-    if (wall != previous && cells[0] != ExteriorVertex)
+    if (walls[w].area > 0.0 && cells[0] != ExteriorVertex)
     {
       NeighborPair & pair = pairs[cells];
-      pair.area += areas[wall];
+      pair.area += walls[w].area;
       ++pair.numberOfWalls;
     }
-    previous = wall;
   }
   return pairs;
 }
 
 /** Counts the cells, without the exterior, with which each vertex shares a wall. */
 inline std::vector<std::int32_t>
-CountNeighbors(const WallMesh & mesh, std::size_t numberOfVertices)
+CountNeighbors(const WallMesh & mesh, const TissueStatistics & statistics)
 {
-  std::vector<std::int32_t> counts(numberOfVertices, 0);
-  for (const auto & pair : FindNeighborPairs(mesh))
+  std::vector<std::int32_t> counts(statistics.cells.size(), 0);
+  for (const auto & pair : FindNeighborPairs(mesh, statistics.walls))
   {
     ++counts[pair.first[0]];
     ++counts[pair.first[1]];
@@ -108,7 +106,7 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
   }
   using Vertex = VertexId;
   const std::vector<CellSurface> & surfaces = check.cells;
-  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, cells.size());
+  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, statistics);
   const auto                       add64 = [&](const char * name, std::int64_t Cell::*member) {
     AddColumn<vtkTypeInt64Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member; });
   };
@@ -143,14 +141,22 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
   attributes->SetActiveScalars("Label");
 }
 
-/** Inserts the polyhedron of a cell from its outward triangles, three points each. */
-inline void
-InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & triangles)
+/** Each of the triangles' points once, ascending. */
+inline std::vector<vtkIdType>
+PointsOf(const std::vector<vtkIdType> & triangles)
 {
   std::vector<vtkIdType> points = triangles;
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<vtkIdType> faces;
+  return points;
+}
+
+/** Inserts the polyhedron of a cell from its outward triangles, three points each. */
+inline void
+InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & triangles)
+{
+  const std::vector<vtkIdType> points = PointsOf(triangles);
+  std::vector<vtkIdType>       faces;
   faces.reserve(triangles.size() / 3 * 4);
   for (std::size_t i = 0; i < triangles.size(); i += 3)
   {
@@ -210,13 +216,15 @@ MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const Cell
  * | `weight` | Float64 | area of their walls: the name that programs for graphs know |
  * | `NumberOfWalls` | Int32 | as two cells may have several |
  *
- * \throws std::invalid_argument as RequireConsistentIndices does. */
+ * \throws std::invalid_argument where `statistics`, the result of MeasureTissue, is for other numbers, or as
+ * RequireConsistentIndices does. */
 inline vtkSmartPointer<vtkTable>
-MakeNeighborTable(const WallMesh & mesh, const std::vector<Cell> & cells)
+MakeNeighborTable(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  bridge::RequireStatisticsOf(mesh, cells, statistics);
   using Pair = std::pair<VertexPair, bridge::NeighborPair>;
-  const auto              map = bridge::FindNeighborPairs(mesh);
+  const auto              map = bridge::FindNeighborPairs(mesh, statistics.walls);
   const std::vector<Pair> pairs(map.begin(), map.end());
   const auto              table = vtkSmartPointer<vtkTable>::New();
   vtkFieldData * const    rows = table->GetRowData();
@@ -231,11 +239,15 @@ MakeNeighborTable(const WallMesh & mesh, const std::vector<Cell> & cells)
   return table;
 }
 
-/** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each, in ascending order of the labels.
+/** \brief Makes a grid of the cells of a tissue, one VTK_POLYHEDRON each.
+ *
+ * They are in ascending order of their number of points, and of their labels where that is equal: meshio, which sorts
+ * polyhedra so but leaves their order otherwise, would give cells others' values.
  *
  * The points are those of MakeWallPolyData, the faces the triangles of the cell's walls, turned outwards. The cell
- * arrays are the columns of MakeCellTable; the field array `SPACE` is `LPS`. A cell without a triangle is left out; one
- * that is not closed is kept, and its `IsClosed` is 0. `check` and `statistics` are those of MakeCellTable. */
+ * arrays are the columns of MakeCellTable. There is no array of text, so that meshio reads the file. A cell without a
+ * triangle is left out; one that is not closed is kept, and its `IsClosed` is 0. `check` and `statistics` are those of
+ * MakeCellTable. */
 inline vtkSmartPointer<vtkUnstructuredGrid>
 MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check,
              const TissueStatistics & statistics)
@@ -255,16 +267,23 @@ MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellS
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   std::vector<VertexId>                vertices;
   grid->SetPoints(bridge::MakeMeshPoints(mesh));
+  std::vector<std::size_t> numberOfPoints(cells.size(), 0);
   for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
   {
     if (!trianglesOfCell[v].empty())
     {
-      bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
+      numberOfPoints[v] = bridge::PointsOf(trianglesOfCell[v]).size();
       vertices.push_back(static_cast<VertexId>(v));
     }
   }
+  std::stable_sort(vertices.begin(), vertices.end(), [&numberOfPoints](VertexId a, VertexId b) {
+    return numberOfPoints[a] < numberOfPoints[b];
+  });
+  for (const VertexId v : vertices)
+  {
+    bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
+  }
   bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, statistics, vertices);
-  bridge::AddCoordinateSystem(grid);
   return grid;
 }
 } // namespace tissue

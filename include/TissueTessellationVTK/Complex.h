@@ -30,7 +30,6 @@ namespace tissue
  * |---|---|---|---|
  * | `Label` (active scalars) | points | Int64, 1 | label of the cell |
  * | `Labels` | cells | Int64, 4 | the four labels in the order of the vertices, so the exterior's is the first |
- * | `SPACE` | field | String, 1 | `LPS` |
  *
  * \throws std::invalid_argument for a vertex that `cells` does not have. */
 inline vtkSmartPointer<vtkUnstructuredGrid>
@@ -82,7 +81,6 @@ MakeComplexGrid(const std::vector<VertexQuadruple> & complex, const std::vector<
   grid->SetPoints(points);
   grid->GetPointData()->SetScalars(label);
   grid->GetCellData()->AddArray(labels);
-  bridge::AddCoordinateSystem(grid);
   return grid;
 }
 } // namespace tissue

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "FourCubes.h"
+#include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationVTKBridge.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +77,8 @@ TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
   EXPECT_EQ(data->GetScalars()->GetNumberOfComponents(), 1);
   ASSERT_NE(data->GetArray("BoundaryLabels"), nullptr);
   EXPECT_EQ(data->GetArray("BoundaryLabels")->GetNumberOfComponents(), 2);
-  EXPECT_EQ(data->GetArray("WallPlanarity"), nullptr); // of its statistics
+  EXPECT_NE(data->GetArray("WallPlanarity"), nullptr);
+  EXPECT_EQ(data->GetArray("WallCutArea"), nullptr); // what is cut is not known of walls alone
 
   std::map<int, int> trianglesOfWall;
   for (vtkIdType t = 0; t < 40; ++t)
@@ -140,7 +142,7 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
   const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
   const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(grid->GetNumberOfCells(), 4);
-  EXPECT_EQ(GetSpace(grid), "LPS");
+  EXPECT_EQ(GetSpace(grid), "") << "Programs that read no text arrays are to read it.";
   vtkCellData * data = grid->GetCellData();
   EXPECT_STREQ(data->GetScalars()->GetName(), "Label");
   for (vtkIdType c = 0; c < 4; ++c)
@@ -190,6 +192,44 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
     EXPECT_GT(maximum, 0.0);
     EXPECT_NEAR(0.5 * (maximum + minimum), mean, 1e-12);
     EXPECT_NEAR(maximum * minimum, GetValue(data, "GaussianCurvature", c), 1e-12);
+  }
+}
+
+TEST(TissueTessellationVTKBridge, TheSurfacesOfCellsAreApartAndCanBeMovedApart)
+{
+  using tissue::  operator+;
+  using tissue::  operator-;
+  using tissue::  operator*;
+  const FourCubes tissue;
+  const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
+  const auto      surfaces = tissue::MakeCellSurfaces(tissue.mesh, tissue.cells, check, tissue.Statistics());
+  ASSERT_EQ(surfaces->GetNumberOfCells(), 48);
+  ASSERT_EQ(surfaces->GetNumberOfPoints(), 32);
+  EXPECT_EQ(GetSpace(surfaces), "LPS");
+  double volumes[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (vtkIdType t = 0; t < 48; ++t)
+  {
+    const double origin[3] = { 0.0, 0.0, 0.0 };
+    volumes[t / 12] += SpatProduct(surfaces, surfaces->GetCell(t)->GetPointIds(), origin) / 6.0;
+    EXPECT_EQ(GetValue(surfaces->GetCellData(), "Label", t), 10.0 * static_cast<double>(t / 12 + 1));
+    EXPECT_DOUBLE_EQ(GetValue(surfaces->GetCellData(), "SurfaceArea", t), 6.0);
+  }
+  Point middle{ { 0.0, 0.0, 0.0 } };
+  for (int c = 1; c < 5; ++c)
+  {
+    EXPECT_DOUBLE_EQ(volumes[c - 1], 1.0);
+    middle = middle + 0.25 * tissue.cells[c].center;
+  }
+  for (vtkIdType p = 0; p < 32; ++p)
+  {
+    const Point way = tissue.cells[p / 8 + 1].center - middle;
+    double      squares = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_DOUBLE_EQ(GetValue(surfaces->GetPointData(), "FromCenter", p, axis), way[axis]);
+      squares += std::pow(GetValue(surfaces->GetPointData(), "Normals", p, axis), 2);
+    }
+    EXPECT_NEAR(squares, 1.0, 1e-12);
   }
 }
 
@@ -244,7 +284,7 @@ TEST(TissueTessellationVTKBridge, TheNeighborsAreThePairsOfCellsThatShareWalls)
   FourCubes tissue;
   tissue.mesh.walls.push_back(tissue.mesh.walls.back()); // a second wall of the last pair
   tissue.mesh.wallOfTriangle.back() = 8;
-  const auto table = tissue::MakeNeighborTable(tissue.mesh, tissue.cells);
+  const auto table = tissue::MakeNeighborTable(tissue.mesh, tissue.cells, tissue.Statistics());
   ASSERT_EQ(table->GetNumberOfRows(), 4);
   std::map<std::array<int, 2>, int> walls;
   for (vtkIdType row = 0; row < 4; ++row)
@@ -272,7 +312,7 @@ TEST(TissueTessellationVTKBridge, TetrahedraWithTheExteriorAreTrianglesOfTheSurf
     const auto grid = tissue::MakeComplexGrid(complex, tissue.cells);
     ASSERT_EQ(grid->GetNumberOfPoints(), 4);
     ASSERT_EQ(grid->GetNumberOfCells(), 5);
-    EXPECT_EQ(GetSpace(grid), "LPS");
+    EXPECT_EQ(GetSpace(grid), "");
     EXPECT_EQ(GetValue(grid->GetPointData(), "Label", 2), 30.0);
     ASSERT_EQ(grid->GetCellType(0), VTK_TETRA);
     Point corners[4];
@@ -311,5 +351,5 @@ TEST(TissueTessellationVTKBridge, WhatDoesNotFitTogetherIsRefused)
   tissue.cells.resize(4);
   refuseAll();
   refuse([&] { tissue::MakeWallPolyData(tissue.mesh, tissue.cells); });
-  refuse([&] { tissue::MakeNeighborTable(tissue.mesh, tissue.cells); });
+  refuse([&] { tissue::MakeNeighborTable(tissue.mesh, tissue.cells, statistics); });
 }

@@ -149,7 +149,7 @@ VoronoiBall(int side, double hollowRadius = 0.0)
   }
   LabelVolume volume;
   volume.size = { { side, side, side } };
-  volume.vertices.assign(static_cast<std::size_t>(side) * side * side, ExteriorVertex);
+  volume.vertices = VoxelVertices(static_cast<std::size_t>(side) * side * side, ExteriorVertex);
   const double            middle = 0.5 * (side - 1);
   std::map<int, VertexId> vertexOf;
   const auto              visit = [&](const auto & take) {
@@ -172,7 +172,7 @@ VoronoiBall(int side, double hollowRadius = 0.0)
   {
     entry.second = ++last;
   }
-  visit([&](std::size_t i, int place) { volume.vertices[i] = vertexOf[place]; });
+  visit([&](std::size_t i, int place) { volume.vertices.Put(i, vertexOf[place]); });
   return volume;
 }
 } // namespace tissue_test

@@ -94,7 +94,7 @@ TEST_F(NucleiDetectionApp, WritesTheSamePointsInEveryFormatAndWithAPicture)
 {
   this->MakeNuclei();
   std::vector<std::vector<tissue::Point>> points;
-  for (const char * file : { "a.csv", "a.fcsv", "a.vtp" })
+  for (const char * file : { "a.csv", "a.fcsv", "a.mrk.json", "a.vtp" })
   {
     ASSERT_EQ(this->Run(std::string("nuclei.mha ") + file + " --quiet --picture " + file + ".png"), 0) << m_Errors;
     EXPECT_EQ(m_Output + m_Errors, "");
@@ -105,7 +105,7 @@ TEST_F(NucleiDetectionApp, WritesTheSamePointsInEveryFormatAndWithAPicture)
     EXPECT_EQ(picture, ReadBytes(this->PathOf("a.csv.png"))) << file;
   }
   EXPECT_EQ(points.front().size(), 40u);
-  EXPECT_EQ(this->List(), "a.csv a.csv.png a.fcsv a.fcsv.png a.vtp a.vtp.png nuclei.mha ");
+  EXPECT_EQ(this->List(), "a.csv a.csv.png a.fcsv a.fcsv.png a.mrk.json a.mrk.json.png a.vtp a.vtp.png nuclei.mha ");
 }
 
 TEST_F(NucleiDetectionApp, HasTheSameBytesForAnyNumberOfThreads)
@@ -226,7 +226,7 @@ TEST_F(NucleiDetectionApp, OptionsThatAreRefused)
   {
     this->ExpectRefusal("blob.mha points.csv " + options, { message });
   }
-  this->ExpectRefusal("blob.mha points.txt", { "'points.txt': they are written to .csv, .fcsv and .vtp" });
+  this->ExpectRefusal("blob.mha points.txt", { "'points.txt': they are written to .csv, .fcsv, .mrk.json and .vtp" });
   this->ExpectRefusal("blob.mha none/points.csv", { "'none/points.csv': there is no folder" });
   this->ExpectRefusal("blob.mha", { "points is required" });
 }

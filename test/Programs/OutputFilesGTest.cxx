@@ -152,3 +152,78 @@ TEST_F(OutputFilesTest, VoxelsOfAnInputAreNotReplaced)
     EXPECT_NO_THROW(tissue::OutputFiles::RequireNotInput(PathOf("other.raw"), PathOf(header))) << header;
   }
 }
+
+namespace
+{
+/** Writes a file and as many pieces. */
+tissue::OutputFiles::Writer
+WritePieces(int number)
+{
+  return [number](const std::string & path) {
+    WriteText(path);
+    const fs::path folder = fs::path(path).parent_path() / fs::path(path).stem();
+    fs::create_directory(folder);
+    for (int i = 0; i < number; ++i)
+    {
+      WriteText((folder / (folder.filename().string() + "_" + std::to_string(i) + ".vtp")).string());
+    }
+  };
+}
+} // namespace
+
+TEST_F(OutputFilesTest, PiecesAppearWithTheirFileAndReplaceThoseBefore)
+{
+  for (const int number : { 3, 2 })
+  {
+    tissue::OutputFiles files;
+    files.AddWithPieces(PathOf("a.seg.vtm"), WritePieces(number));
+    EXPECT_EQ(fs::exists(PathOf("a.seg/a.seg_2.vtp")), number == 2) << "the pieces of before, until the commit";
+    files.Commit();
+    EXPECT_EQ(List(), "a.seg a.seg.vtm ");
+    EXPECT_TRUE(fs::exists(PathOf("a.seg/a.seg_1.vtp")));
+    EXPECT_EQ(fs::exists(PathOf("a.seg/a.seg_2.vtp")), number == 3);
+  }
+}
+
+TEST_F(OutputFilesTest, NoPieceIsLeftWhereTheWriterFails)
+{
+  try
+  {
+    tissue::OutputFiles files;
+    files.AddWithPieces(PathOf("a.vtm"), [](const std::string & path) {
+      WritePieces(2)(path);
+      throw std::runtime_error("no ink");
+    });
+    FAIL() << "the error of the writer is lost";
+  }
+  catch (const std::runtime_error & error)
+  {
+    EXPECT_EQ(error.what(), "Cannot write '" + PathOf("a.vtm") + "': no ink");
+  }
+  EXPECT_EQ(List(), "");
+}
+
+TEST_F(OutputFilesTest, AFolderOfOtherFilesIsNotTakenForPieces)
+{
+  fs::create_directory(PathOf("a"));
+  WriteText(PathOf("a/a_0.vtp"));
+  tissue::OutputFiles::RequireWritableWithPieces(PathOf("a.vtm"));
+  WriteText(PathOf("a/thesis.txt"));
+  for (const bool isBefore : { true, false })
+  {
+    try
+    {
+      isBefore ? tissue::OutputFiles::RequireWritableWithPieces(PathOf("a.vtm"))
+               : tissue::OutputFiles().AddWithPieces(PathOf("a.vtm"), WritePieces(1));
+      FAIL() << "the folder would be lost";
+    }
+    catch (const std::runtime_error & error)
+    {
+      EXPECT_NE(std::string(error.what()).find("'thesis.txt', which is none and would be lost"), std::string::npos)
+        << error.what();
+    }
+  }
+  EXPECT_TRUE(fs::exists(PathOf("a/thesis.txt")));
+  WriteText(PathOf("b"));
+  EXPECT_THROW(tissue::OutputFiles::RequireWritableWithPieces(PathOf("b.vtm")), std::runtime_error);
+}

@@ -10,6 +10,7 @@
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -21,6 +22,7 @@
 #include <fstream>
 #include <limits>
 #include <locale>
+#include <regex>
 #include <stdexcept>
 
 using namespace tissue;
@@ -259,8 +261,10 @@ TEST_F(PointFiles, MarkupsInJson)
             "markup 1, point 2: its position is [1,\"two\",3], must be three finite numbers");
   EXPECT_EQ(refusal(file(markup("LPS", point("[1, 2]")))),
             "markup 1, point 1: its position is [1,2], must be three finite numbers");
-  EXPECT_EQ(refusal(file(markup("LPS", point("[0, 0, 0]", "undefined")))),
-            "markup 1, point 1: its position is 'undefined', must be defined");
+  EXPECT_EQ(refusal(file(markup("LPS", point("[0, 0, 0]", "lost")))),
+            "markup 1, point 1: its positionStatus is 'lost', must be defined, undefined, preview or missing");
+  EXPECT_EQ(refusal(file(markup("LPS", "{\"label\": \"F-1\"}"))),
+            "markup 1, point 1 has no list 'position', as markups of 3D Slicer have");
   EXPECT_EQ(refusal(file("{\"type\": \"Curve\", \"controlPoints\": []}")),
             "markup 1 is of the type 'Curve', must be Fiducial: a list of points");
   for (const char * text : { "{}", "[]", "3", "{\"markups\": 3}" })
@@ -269,6 +273,40 @@ TEST_F(PointFiles, MarkupsInJson)
   }
   EXPECT_NE(refusal("{\"markups\":\n [1,").find("is no JSON: parse error at line 2"), std::string::npos);
   EXPECT_NE(refusal("{\"markups\": [{\"position\": 1e999}]}").find("is no JSON: number overflow"), std::string::npos);
+}
+
+TEST_F(PointFiles, MarkupsWithoutAPlaceAreLeftOutWithAWarning)
+{
+  const auto read =
+    ReadPointFile(Write("a.mrk.json",
+                        "{\"markups\": [{\"type\": \"Fiducial\", \"coordinateSystem\": \"LPS\", \"controlPoints\": ["
+                        "{\"positionStatus\": \"undefined\"}, {\"position\": [1, 2, 3]}, "
+                        "{\"position\": [0, 0, 0], \"positionStatus\": \"missing\"}]}]}"));
+  EXPECT_EQ(read.points, (std::vector<Point>{ { { 1, 2, 3 } } }));
+  EXPECT_EQ(read.places, (std::vector<std::string>{ "markup 1, point 2" }));
+  EXPECT_EQ(read.warnings, (std::vector<std::string>{ "markup 1: 2 of 3 points have no place and are left out" }));
+}
+
+TEST_F(PointFiles, WrittenMarkupsAreThoseOfSlicersSchema)
+{
+  PointTable table;
+  table.points = { { { 1.0, 1.0 / 3.0, -3.0 } }, { { 4.0, 5.0, 6.0 } } };
+  table.columns = { { "Label", { 7.0, 8.0 } }, { "scale", { 1.5, 2.0 } }, { "radius", { 2.25, 3.0 } } };
+  WritePoints(table, PathOf("a.mrk.json"), ".json");
+  EXPECT_EQ(ReadPointFile(PathOf("a.mrk.json")).points, table.points);
+  const auto json = nlohmann::json::parse(ReadBytes(PathOf("a.mrk.json")));
+  EXPECT_TRUE(
+    std::regex_search(json["@schema"].get<std::string>(), std::regex("markups-schema-v1\\.0\\.[0-9]\\.json#$")));
+  ASSERT_EQ(json["markups"].size(), 1u);
+  const auto & markup = json["markups"][0];
+  EXPECT_EQ(markup["type"], "Fiducial");
+  EXPECT_EQ(markup["coordinateSystem"], "LPS");
+  const auto & point = markup["controlPoints"][0];
+  EXPECT_EQ(point["id"], "1");
+  EXPECT_EQ(point["label"], "7");
+  EXPECT_EQ(point["description"], "scale 1.5, radius 2.25");
+  EXPECT_EQ(point["orientation"].size(), 9u);
+  EXPECT_EQ(point["positionStatus"], "defined");
 }
 
 TEST_F(PointFiles, PolyDataSaysItsCoordinateSystem)

@@ -24,10 +24,11 @@ public:
   itkTypeMacro(Worker, itk::ProcessObject);
 };
 
-/** What is written of two phases, the second of which takes `length` of time. */
+/** What is written of two phases, the second of which takes `length` of time; on standard output for Slicer. */
 std::string
 Written(ProgressStyle style, std::chrono::milliseconds length)
 {
+  testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   {
     ProgressBar bar(style);
@@ -37,7 +38,10 @@ Written(ProgressStyle style, std::chrono::milliseconds length)
     worker->UpdateProgress(0.25f);
     std::this_thread::sleep_for(length);
   }
-  return testing::internal::GetCapturedStderr();
+  const std::string output = testing::internal::GetCapturedStdout();
+  const std::string errors = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(style == ProgressStyle::Slicer ? errors : output, "");
+  return style == ProgressStyle::Slicer ? output : errors;
 }
 } // namespace
 
@@ -51,6 +55,21 @@ TEST(ProgressBar, MovesEverySecondThoughNothingIsReported)
 {
   const std::string lines = Written(ProgressStyle::Lines, std::chrono::milliseconds(2500));
   EXPECT_NE(lines.find("1 s: Fitting the walls, 25 %\n2 s: Fitting the walls, 25 %\n"), std::string::npos) << lines;
+}
+
+TEST(ProgressBar, TellsSlicerThePhasesAndHowFarTheyAre)
+{
+  std::string text = Written(ProgressStyle::Slicer, std::chrono::milliseconds(1500));
+  text = std::regex_replace(text, std::regex("[0-9.]+</filter-time>"), "T</filter-time>");
+  const auto phase = [](const std::string & name, const std::string & progress) {
+    return "<filter-start>\n<filter-name>" + name + "</filter-name>\n<filter-comment>" + name +
+           "</filter-comment>\n</filter-start>\n" + progress + "<filter-end>\n<filter-name>" + name +
+           "</filter-name>\n<filter-time>T</filter-time>\n</filter-end>\n";
+  };
+  EXPECT_EQ(text,
+            phase("Reading", "<filter-progress>0.00</filter-progress>\n") +
+              phase("Fitting the walls", "<filter-progress>0.25</filter-progress>\n"));
+  EXPECT_EQ(ChooseProgressStyle("slicer"), ProgressStyle::Slicer);
 }
 
 TEST(ProgressBar, IsOneLineOnATerminal)

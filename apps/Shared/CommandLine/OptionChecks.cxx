@@ -6,12 +6,46 @@
  *=========================================================================*/
 #include "Shared/CommandLine/OptionChecks.h"
 
+#include "Shared/CommandLine/OptionType.h"
+
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 namespace tissue
 {
+namespace
+{
+/** Whether the argument is a flag that may have a number. */
+bool
+MayHaveNumber(const CLI::App & app, const std::string & argument)
+{
+  const CLI::Option * const option = app.get_option_no_throw(argument);
+  return option != nullptr && option->get_expected_max() == 0 && OptionType(*option).least;
+}
+
+/** The arguments in the order that CLI11 takes them, the last first. */
+std::vector<std::string>
+ListArguments(const CLI::App & app, int argc, char ** argv)
+{
+  std::vector<std::string> arguments;
+  for (int i = 1; i < argc; ++i)
+  {
+    if (i > 1 && FindNumber(argv[i]) && MayHaveNumber(app, argv[i - 1]))
+    {
+      arguments.back() += std::string("=") + argv[i];
+    }
+    else
+    {
+      arguments.emplace_back(argv[i]);
+    }
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+} // namespace
+
 CLI::Validator
 InRange(double least, double most)
 {
@@ -26,13 +60,27 @@ InRange(double least, double most)
 }
 
 CLI::Validator
+EndsIn(const std::vector<std::string> & extensions)
+{
+  std::string list;
+  std::string patterns;
+  for (const std::string & extension : extensions)
+  {
+    list += (list.empty() ? "" : " or ") + extension;
+    patterns += (patterns.empty() ? "*" : " or *") + extension;
+  }
+  const auto check = [extensions, list](const std::string & path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    const bool        ends = std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+    return ends ? std::string() : "the name of the file, '" + path + "', must end in " + list;
+  };
+  return CLI::Validator(check, patterns);
+}
+
+CLI::Validator
 EndsIn(const std::string & extension)
 {
-  const auto check = [extension](const std::string & path) {
-    const bool ends = std::filesystem::path(path).extension() == extension;
-    return ends ? std::string() : "the name of the file, '" + path + "', must end in " + extension;
-  };
-  return CLI::Validator(check, "*" + extension);
+  return EndsIn(std::vector<std::string>{ extension });
 }
 
 FoundOptions
@@ -62,7 +110,7 @@ Parse(CLI::App & app, int argc, char ** argv)
 {
   try
   {
-    app.parse(argc, argv);
+    app.parse(ListArguments(app, argc, argv));
   }
   catch (const CLI::Success & success)
   {

@@ -19,7 +19,9 @@ namespace tissue
 CLI::Validator
 InRange(double least, double most);
 
-/** The extension of a file to write. */
+/** The extension of a file to write, or one of several. */
+CLI::Validator
+EndsIn(const std::vector<std::string> & extensions);
 CLI::Validator
 EndsIn(const std::string & extension);
 
@@ -32,8 +34,9 @@ using FoundOptions = std::map<std::string, std::string>;
 FoundOptions
 FindOptions(const std::vector<std::string> & names, int argc, char ** argv);
 
-/** Parses the command line; false after --help and --version, which have then been answered.
- * \throws std::runtime_error that names the option and what is wrong with it. */
+/** Parses the command line; a flag that may have a number, "--flag=2", may have it as the next argument, too, "--flag
+ * 2". False after --help and the like, which have then been answered. \throws std::runtime_error that names the option
+ * and what is wrong with it. */
 bool
 Parse(CLI::App & app, int argc, char ** argv);
 } // namespace tissue

@@ -17,6 +17,7 @@ ChooseProgressStyle(const std::string & name)
 {
   const bool isTerminal = isatty(fileno(stderr)) != 0;
   return name == "lines"                                   ? ProgressStyle::Lines
+         : name == "slicer"                                ? ProgressStyle::Slicer
          : name == "bar" || (name == "auto" && isTerminal) ? ProgressStyle::Bar
                                                            : ProgressStyle::None;
 }
@@ -48,8 +49,8 @@ void
 ProgressBar::Begin(const std::string & phase)
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  m_Phase = phase;
   m_Percent = 0;
+  this->ChangePhase(phase);
   this->Show();
 }
 
@@ -65,7 +66,10 @@ ProgressBar::Observe(itk::ProcessObject * filter, std::function<std::string()> p
                         const std::string                 phase = phaseOf ? phaseOf() : std::string();
                         const std::lock_guard<std::mutex> lock(m_Mutex);
                         const bool                        isNew = !phase.empty() && phase != m_Phase;
-                        m_Phase = isNew ? phase : m_Phase;
+                        if (isNew)
+                        {
+                          this->ChangePhase(phase);
+                        }
                         m_Percent = static_cast<int>(100.0 * static_cast<double>(filter->GetProgress()) + 0.5);
                         // The ticker shows the percents as lines.
                         if (isNew || m_Style == ProgressStyle::Bar)
@@ -79,13 +83,35 @@ void
 ProgressBar::End()
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  m_Phase.clear();
+  this->ChangePhase("");
   m_Shown.clear();
   if (m_Style == ProgressStyle::Bar)
   {
     std::fprintf(stderr, "\r\033[K");
     std::fflush(stderr);
   }
+}
+
+void
+ProgressBar::ChangePhase(const std::string & phase)
+{
+  const auto now = Clock::now();
+  if (m_Style == ProgressStyle::Slicer && !m_Phase.empty())
+  {
+    const double seconds = std::chrono::duration<double>(now - m_PhaseStart).count();
+    std::printf("<filter-end>\n<filter-name>%s</filter-name>\n<filter-time>%.3f</filter-time>\n</filter-end>\n",
+                m_Phase.c_str(),
+                seconds);
+  }
+  m_Phase = phase;
+  m_PhaseStart = now;
+  if (m_Style == ProgressStyle::Slicer && !phase.empty())
+  {
+    std::printf("<filter-start>\n<filter-name>%s</filter-name>\n<filter-comment>%s</filter-comment>\n</filter-start>\n",
+                phase.c_str(),
+                phase.c_str());
+  }
+  std::fflush(stdout);
 }
 
 void
@@ -120,6 +146,10 @@ ProgressBar::Show()
                   m_Percent,
                   static_cast<long long>(seconds));
   }
+  else if (m_Style == ProgressStyle::Slicer)
+  {
+    std::snprintf(text, sizeof(text), "<filter-progress>%d.%02d</filter-progress>\n", m_Percent / 100, m_Percent % 100);
+  }
   else
   {
     std::snprintf(
@@ -128,8 +158,9 @@ ProgressBar::Show()
   if (m_Shown != text)
   {
     m_Shown = text;
-    std::fputs(text, stderr);
-    std::fflush(stderr);
+    std::FILE * const stream = m_Style == ProgressStyle::Slicer ? stdout : stderr;
+    std::fputs(text, stream);
+    std::fflush(stream);
   }
 }
 } // namespace tissue

@@ -18,21 +18,25 @@
 
 namespace tissue
 {
-/** How progress is shown, on standard error. */
+/** How progress is shown, on standard error but for Slicer. */
 enum class ProgressStyle
 {
   None,
   /** A bar that is drawn over and over again, for a terminal. */
   Bar,
   /** Lines, one a second at most, for a file: "12 s: Fitting the walls, 28 %". */
-  Lines
+  Lines,
+  /** On standard output, for 3D Slicer: each phase in its elements <filter-start> and <filter-end>, and between them
+   * how far it is, 0 .. 1, in <filter-progress>, once a second at most. */
+  Slicer
 };
 
-/** By its name, "none", "bar" or "lines"; "auto" is the bar where standard error is a terminal, none elsewhere. */
+/** By its name, "none", "bar", "lines" or "slicer"; "auto" is the bar where standard error is a terminal, none
+ * elsewhere. */
 ProgressStyle
 ChooseProgressStyle(const std::string & name);
 
-/** \brief Shows the progress of the phases of a program on standard error, with the seconds since it began.
+/** \brief Shows the progress of the phases of a program, with the seconds since it began.
  *
  * What is shown moves every second, by the seconds at least, however long a step takes. */
 class ProgressBar
@@ -55,7 +59,7 @@ public:
   void
   Observe(itk::ProcessObject * filter, std::function<std::string()> phaseOfFilter = {});
 
-  /** Removes the bar from the terminal. */
+  /** Ends the phase; removes the bar from the terminal. */
   void
   End();
 
@@ -69,16 +73,21 @@ private:
   void
   Show();
 
+  /** Begins a phase, or none, and ends the one before it. The mutex must be held. */
+  void
+  ChangePhase(const std::string & phase);
+
   const ProgressStyle     m_Style;
   const Clock::time_point m_Start = Clock::now();
   std::mutex              m_Mutex;
   std::condition_variable m_Stopping;
   bool                    m_IsStopping = false;
   /** Empty between phases. */
-  std::string m_Phase;
-  int         m_Percent = 0;
-  std::string m_Shown;
-  std::thread m_Ticker;
+  std::string       m_Phase;
+  Clock::time_point m_PhaseStart = m_Start;
+  int               m_Percent = 0;
+  std::string       m_Shown;
+  std::thread       m_Ticker;
 };
 } // namespace tissue
 

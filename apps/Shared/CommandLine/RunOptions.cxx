@@ -16,14 +16,16 @@ void
 AddRunOptions(CLI::App & app, RunOptions & options)
 {
   app.add_option("--threads", options.threads, "Threads; 0: all cores. The result does not depend on it")
-    ->check(InRange(0, 1024));
+    ->check(InRange(0, 1024))
+    ->capture_default_str();
   app.add_flag("--quiet", options.isQuiet, "Say nothing but warnings and errors");
   app
     .add_option("--progress",
                 options.progress,
-                "On standard error: bar, lines (one a second at most), none; auto: a bar on a terminal")
-    ->check(CLI::IsMember({ "auto", "bar", "lines", "none" }))
-    ->type_name("{auto,bar,lines,none}")
+                "On standard error: bar, lines (one a second at most), none; auto: a bar on a terminal; slicer: for 3D "
+                "Slicer, on standard output")
+    ->check(CLI::IsMember({ "auto", "bar", "lines", "none", "slicer" }))
+    ->type_name("{auto,bar,lines,none,slicer}")
     ->capture_default_str();
 }
 

@@ -77,6 +77,41 @@ RemoveQuietly(const std::string & path)
   fs::remove(path, ignored);
 }
 
+/** The folder of the pieces of a file. */
+fs::path
+PiecesFolderOf(const fs::path & path)
+{
+  return path.parent_path() / path.stem();
+}
+
+/** Whether all that there is under the name of the folder is such a folder, with pieces. */
+void
+RequirePiecesAlone(const fs::path & folder, const std::string & path)
+{
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(folder, error)))
+  {
+    return;
+  }
+  if (!fs::is_directory(fs::symlink_status(folder, error)))
+  {
+    Refuse(path, "'" + folder.string() + "', where its pieces go, is no folder");
+  }
+  const std::string beginning = folder.filename().string() + "_";
+  for (const auto & entry : fs::directory_iterator(folder))
+  {
+    const std::string stem = entry.path().stem().string();
+    const bool        isPiece = stem.rfind(beginning, 0) == 0 && stem.size() > beginning.size() &&
+                         stem.find_first_not_of("0123456789", beginning.size()) == std::string::npos;
+    if (!isPiece || !entry.is_regular_file())
+    {
+      Refuse(path,
+             "the folder of its pieces, '" + folder.string() + "', has '" + entry.path().filename().string() +
+               "', which is none and would be lost");
+    }
+  }
+}
+
 /** Makes an empty file, so that a reason that the folder has against it is known by the system's own word. */
 void
 CreateEmpty(const std::string & temporaryPath, const std::string & path)
@@ -96,6 +131,18 @@ OutputFiles::~OutputFiles()
   {
     RemoveQuietly(file.temporaryPath);
   }
+  this->RemoveTemporaryFolders();
+}
+
+void
+OutputFiles::RemoveTemporaryFolders()
+{
+  for (const std::string & folder : m_TemporaryFolders)
+  {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+  m_TemporaryFolders.clear();
 }
 
 void
@@ -104,6 +151,13 @@ OutputFiles::RequireWritable(const std::string & path)
   const std::string temporaryPath = MakeTemporaryPath(ResolveTarget(path));
   CreateEmpty(temporaryPath, path);
   RemoveQuietly(temporaryPath);
+}
+
+void
+OutputFiles::RequireWritableWithPieces(const std::string & path)
+{
+  RequireWritable(path);
+  RequirePiecesAlone(PiecesFolderOf(ResolveTarget(path)), path);
 }
 
 void
@@ -128,18 +182,51 @@ OutputFiles::Add(const std::string & path, const Writer & write)
 {
   const fs::path target = ResolveTarget(path);
   const File     file{ MakeTemporaryPath(target), target.string() };
+  this->RequireNewName(file.path, path);
+  CreateEmpty(file.temporaryPath, path);
+  m_Files.push_back(file);
+  Write(write, file.temporaryPath, path);
+}
+
+void
+OutputFiles::AddWithPieces(const std::string & path, const Writer & write)
+{
+  const fs::path target = ResolveTarget(path);
+  const fs::path pieces = PiecesFolderOf(target);
+  this->RequireNewName(target.string(), path);
+  RequirePiecesAlone(pieces, path);
+  const fs::path  temporary = MakeTemporaryPath(target);
+  std::error_code error;
+  if (!fs::create_directory(temporary, error))
+  {
+    Refuse(path, error.message());
+  }
+  m_TemporaryFolders.push_back(temporary.string());
+  const std::string file = (temporary / target.filename()).string();
+  Write(write, file, path);
+  // The file comes last: it names the pieces.
+  m_Files.push_back({ (temporary / pieces.filename()).string(), pieces.string() });
+  m_Files.push_back({ file, target.string() });
+}
+
+void
+OutputFiles::RequireNewName(const std::string & target, const std::string & path) const
+{
   for (const File & other : m_Files)
   {
-    if (other.path == file.path)
+    if (other.path == target)
     {
       Refuse(path, "another output has the same name");
     }
   }
-  CreateEmpty(file.temporaryPath, path);
-  m_Files.push_back(file);
+}
+
+void
+OutputFiles::Write(const Writer & write, const std::string & temporaryPath, const std::string & path)
+{
   try
   {
-    write(file.temporaryPath);
+    write(temporaryPath);
   }
   catch (const std::exception & error)
   {
@@ -153,6 +240,11 @@ OutputFiles::Commit()
   for (const File & file : m_Files)
   {
     std::error_code error;
+    if (fs::is_directory(file.temporaryPath, error) && fs::exists(file.path, error))
+    {
+      // No folder can take the place of another: that of before goes to the temporary ones, and with them.
+      fs::rename(file.path, file.temporaryPath + ".before", error);
+    }
     fs::rename(file.temporaryPath, file.path, error);
     if (error)
     {
@@ -160,5 +252,6 @@ OutputFiles::Commit()
     }
   }
   m_Files.clear();
+  this->RemoveTemporaryFolders();
 }
 } // namespace tissue

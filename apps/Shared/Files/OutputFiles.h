@@ -15,7 +15,8 @@ namespace tissue
 {
 /** \brief Output files that appear complete and together, or not at all.
  *
- * Each file is first written under a temporary name, beside its place and with the same extension; Commit() gives all
+ * Each file is first written under a temporary name, beside its place and with the same extension, or in a temporary
+ * folder there; Commit() gives all
  * of them their names. What was not committed is removed by the destructor. A file that was there before is replaced; a
  * symbolic link stays, and its target is replaced. Errors are std::runtime_error: what, path, why. */
 class OutputFiles
@@ -42,7 +43,20 @@ public:
   void
   Add(const std::string & path, const Writer & write);
 
-  /** Gives the files their names, in the order of Add(). */
+  /** \brief Writes a file of several pieces, as those of VTK's composite data sets.
+   *
+   * They are in a folder beside it, of its name without the extension, and are called as the folder, with `_`, a number
+   * and their own extension: `a.vtm` has `a/a_0.vtp`, ... The writer makes both; the folder of a file that was there
+   * before is replaced with all that is in it. */
+  void
+  AddWithPieces(const std::string & path, const Writer & write);
+
+  /** Like RequireWritable(), for AddWithPieces(). Throws also where there is such a folder with other files in it,
+   * which would be lost. */
+  static void
+  RequireWritableWithPieces(const std::string & path);
+
+  /** Gives the files their names, in the order they were added. */
   void
   Commit();
 
@@ -52,7 +66,16 @@ private:
     std::string temporaryPath;
     std::string path;
   };
+  void
+  RequireNewName(const std::string & target, const std::string & path) const;
+  static void
+  Write(const Writer & write, const std::string & temporaryPath, const std::string & path);
+  void
+  RemoveTemporaryFolders();
+
   std::vector<File> m_Files;
+  /** Of files with pieces. */
+  std::vector<std::string> m_TemporaryFolders;
 };
 } // namespace tissue
 

@@ -16,17 +16,22 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
 #include <vtkXMLDataObjectWriter.h>
+#include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLWriter.h>
+#include <vtkXMLWriterBase.h>
 
 #include <cerrno>
 #include <cstring>
@@ -88,6 +93,24 @@ ClearNotes(vtkFieldData * arrays)
     arrays->GetAbstractArray(i)->GetInformation()->Clear();
   }
 }
+void
+ClearAllNotes(vtkPointSet * data)
+{
+  ClearNotes(data->GetPointData());
+  ClearNotes(data->GetCellData());
+  ClearNotes(data->GetFieldData());
+  data->GetPoints()->GetData()->GetInformation()->Clear();
+}
+
+void
+WriteAppended(vtkXMLWriterBase * writer, vtkDataObject * data, const std::string & path)
+{
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  WriteOrThrow(writer, path);
+}
 } // namespace
 
 void
@@ -105,19 +128,35 @@ WriteBytes(const std::string & bytes, const std::string & path)
 void
 WriteXML(vtkPointSet * data, const std::string & path)
 {
-  ClearNotes(data->GetPointData());
-  ClearNotes(data->GetCellData());
-  ClearNotes(data->GetFieldData());
-  data->GetPoints()->GetData()->GetInformation()->Clear();
+  ClearAllNotes(data);
   const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
   if (!writer)
   {
     throw std::runtime_error(std::string("VTK has no XML format for a ") + data->GetClassName());
   }
-  writer->SetInputDataObject(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
+  WriteAppended(writer.Get(), data, path);
+}
+
+void
+WriteXML(vtkMultiBlockDataSet * data, const std::string & path)
+{
+  for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    if (auto * const block = vtkPointSet::SafeDownCast(data->GetBlock(i)))
+    {
+      ClearAllNotes(block);
+    }
+  }
+  const vtkNew<vtkXMLMultiBlockDataWriter> writer;
+  WriteAppended(writer.Get(), data, path);
+}
+
+void
+WriteStl(vtkPolyData * data, const std::string & path)
+{
+  const vtkNew<vtkSTLWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileTypeToBinary();
   WriteOrThrow(writer.Get(), path);
 }
 

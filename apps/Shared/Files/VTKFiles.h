@@ -10,7 +10,9 @@
 #include <string>
 
 class vtkImageData;
+class vtkMultiBlockDataSet;
 class vtkPointSet;
+class vtkPolyData;
 class vtkTable;
 
 namespace tissue
@@ -20,6 +22,11 @@ namespace tissue
 void
 WriteXML(vtkPointSet * data, const std::string & path);
 
+/** Likewise a set of such data (`.vtm`), and each of its blocks in a folder beside it: see
+ * OutputFiles::AddWithPieces(). */
+void
+WriteXML(vtkMultiBlockDataSet * data, const std::string & path);
+
 /** Writes bytes as they are. Throws std::runtime_error. */
 void
 WriteBytes(const std::string & bytes, const std::string & path);
@@ -28,6 +35,10 @@ WriteBytes(const std::string & bytes, const std::string & path);
  * text in quotes where it must be (RFC 4180). Throws std::runtime_error. */
 void
 WriteCSV(vtkTable * table, const std::string & path);
+
+/** Writes a surface of triangles as binary STL. Throws std::runtime_error. */
+void
+WriteStl(vtkPolyData * data, const std::string & path);
 
 /** Writes an image of one slice of bytes. Throws std::runtime_error, also where the disk is full. */
 void

@@ -21,10 +21,12 @@ void
 AddSpacingAndChannel(CLI::App & app, ImageOptions & options)
 {
   app
-    .add_option("--spacing",
-                options.spacing,
-                "Voxel size x y z in place of the file's; for further images of the run where theirs tell none")
+    .add_option(
+      "--spacing",
+      options.spacing,
+      "Voxel size x y z, or x,y,z, in place of the file's; for further images of the run where theirs tell none")
     ->type_name("FLOAT FLOAT FLOAT")
+    ->delimiter(',')
     ->check(InRange(1e-12, 1e12))
     ->group(group);
   app.add_option("--channel", options.channel, "Which channel is read of a file that has several, from 1 on")

@@ -21,41 +21,41 @@ AddDetectionOptions(CLI::App & app, DetectionOptions & options)
                 options.minimumScale,
                 "Standard deviation of the smallest nuclei, in the image's units: their radius over 1.73; 0, and so "
                 "--maximumScale: both are found from the image")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(positive);
   app.add_option("--maximumScale", options.maximumScale, "Standard deviation of the largest nuclei")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(positive);
   app.add_option("--stepsPerOctave", options.stepsPerOctave, "Scales for each doubling")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(InRange(1, 64));
   app.add_option("--threshold", options.threshold, "Least response, in the image's units; 0: see the next")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(positive);
   app
     .add_option("--relativeThreshold",
                 options.relativeThreshold,
                 "Least response relative to the greatest; 0: found from the noise and all responses")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(InRange(0.0, 0.999));
   app
     .add_option("--maximumOverlap",
                 options.maximumOverlap,
                 "Greatest share of the smaller of two nuclei that they have in common")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(InRange(0.0, 1.0));
   app
     .add_option("--maximumHessianRatio",
                 options.maximumHessianRatio,
                 "Greatest elongation, as the ratio of the Hessian's eigenvalues; 0: any")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(positive);
   app
     .add_option(
       "--borderMargin", options.borderMargin, "Leave out nuclei nearer to the border of the image, in its units")
-    ->group("Detection")
+    ->group(DetectionGroup)
     ->check(positive);
-  app.add_flag("--dark", options.isDark, "Nuclei are darker than what is around them")->group("Detection");
+  app.add_flag("--dark", options.isDark, "Nuclei are darker than what is around them")->group(DetectionGroup);
 }
 
 std::string

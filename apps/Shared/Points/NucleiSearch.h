@@ -34,6 +34,9 @@ struct DetectionOptions
 
 using DetectionFilter = itk::DifferenceOfGaussiansBlobDetectionFilter<ScalarImage>;
 
+/** Of the options that say how. */
+inline const std::string DetectionGroup = "Detection";
+
 void
 AddDetectionOptions(CLI::App & app, DetectionOptions & options);
 

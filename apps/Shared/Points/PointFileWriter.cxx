@@ -7,6 +7,7 @@
 #include "Shared/Points/PointFileWriter.h"
 
 #include "Shared/Files/VTKFiles.h"
+#include "Shared/Points/SlicerMarkups.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -136,9 +137,10 @@ std::string
 RequirePointFormat(const std::string & path)
 {
   const std::string format = Extension(path);
-  if (format != ".csv" && format != ".fcsv" && format != ".vtp")
+  if (format != ".csv" && format != ".fcsv" && format != ".json" && format != ".vtp")
   {
-    throw std::runtime_error("Cannot write points to '" + path + "': they are written to .csv, .fcsv and .vtp");
+    throw std::runtime_error("Cannot write points to '" + path +
+                             "': they are written to .csv, .fcsv, .mrk.json and .vtp");
   }
   return format;
 }
@@ -149,6 +151,10 @@ WritePoints(const PointTable & table, const std::string & path, const std::strin
   if (format == ".vtp")
   {
     WritePolyData(table, path);
+  }
+  else if (format == ".json")
+  {
+    WriteMarkupsJson(table, path);
   }
   else if (format == ".fcsv")
   {

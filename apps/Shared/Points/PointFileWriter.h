@@ -30,8 +30,8 @@ struct PointTable
 };
 
 /** \brief Writes points for ReadPointFile() and others: comma-separated values (`.csv`), fiducials of 3D Slicer in LPS
- * (`.fcsv`, which have room for labels alone), points of a vtkPolyData (`.vtp`). \throws std::runtime_error where it
- * cannot.
+ * (`.fcsv`, which have room for labels alone), its markups (`.mrk.json` or another `.json`, by WriteMarkupsJson()),
+ * points of a vtkPolyData (`.vtp`). \throws std::runtime_error where it cannot.
  *
  * `format` is the extension of the path that the file will have. */
 void

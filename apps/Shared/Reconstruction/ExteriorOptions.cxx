@@ -32,9 +32,10 @@ LabelOrSuspects()
 void
 AddExteriorOptions(CLI::App & app, const std::string & group, itk::ExteriorLabelSettings & settings)
 {
-  // Each option takes one value, so that the file after it is none of its labels; it may be there several times.
+  // Each option takes one argument, of labels that commas separate, so that the file after it is none of them; it may
+  // be there several times.
   const auto takeEach = [&group](CLI::Option * option) {
-    option->allow_extra_args(false)->take_all();
+    option->allow_extra_args(false)->take_all()->delimiter(',');
     if (!group.empty())
     {
       option->group(group);
@@ -49,7 +50,7 @@ AddExteriorOptions(CLI::App & app, const std::string & group, itk::ExteriorLabel
         itk::ExteriorLabelSettings::Add(label, settings.labels);
       }
     },
-    "Label of the exterior, given again for each further one; found in the image by default"));
+    "Labels of the exterior, separated by commas or given again; found in the image by default"));
   CLI::Option * const zeroIsCell = app.add_flag("--zeroIsCell", settings.zeroIsCell, "Take label 0 for a cell");
   if (!group.empty())
   {
@@ -74,7 +75,6 @@ AddExteriorOptions(CLI::App & app, const std::string & group, itk::ExteriorLabel
                },
                "Labels that are no cells, to be taken for exterior, separated by commas; suspects: all that the report "
                "suspects")
-             ->delimiter(',')
              ->check(LabelOrSuspects()));
 }
 

@@ -32,15 +32,23 @@ public:
   CLI::Option *
   operator()(const TKind & kind) const
   {
-    return m_App.add_option(m_Name, kind.member(m_Parameters), m_Words)->capture_default_str();
-  }
-
-  CLI::Option *
-  operator()(const SeedParameter & kind) const
-  {
     return m_App.add_option(m_Name, kind.member(m_Parameters), m_Words)
       ->capture_default_str()
       ->check(InRange(kind.range.least, kind.range.most));
+  }
+
+  /** The range and 0 beside it are left to RequireInRange(). */
+  CLI::Option *
+  operator()(const RealParameter & kind) const
+  {
+    CLI::Option * const option = m_App.add_option(m_Name, kind.member(m_Parameters), m_Words)->capture_default_str();
+    return kind.range.orZero ? option : option->check(InRange(kind.range.least, kind.range.most));
+  }
+
+  CLI::Option *
+  operator()(const BooleanParameter & kind) const
+  {
+    return m_App.add_option(m_Name, kind.member(m_Parameters), m_Words)->capture_default_str();
   }
 
   CLI::Option *
@@ -104,7 +112,7 @@ AddMethodOptions(CLI::App & app, MethodOptions & options)
       }
       else
       {
-        option->group(group + " of the other preset")->check(OfOtherPreset(parameter));
+        option->group(OtherPresetGroup)->check(OfOtherPreset(parameter));
       }
     }
   }

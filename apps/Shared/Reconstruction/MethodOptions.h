@@ -28,6 +28,9 @@ struct MethodOptions
 /** Which preset it is must be known, by FindOptions(), before the options are made that override it. */
 inline const std::string PresetOption = "--preset";
 
+/** Of the options that are refused, as the preset does not know them. */
+inline const std::string OtherPresetGroup = "Method of the other preset";
+
 /** The preset that is among the options found, with its parameters. */
 MethodOptions
 ChoosePreset(const FoundOptions & found, const ReconstructionParameters & byDefault,

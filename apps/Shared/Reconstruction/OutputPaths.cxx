@@ -7,8 +7,10 @@
 #include "Shared/Reconstruction/OutputPaths.h"
 
 #include "Shared/CommandLine/OptionChecks.h"
+#include "Shared/Exports/MeshExport.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Pictures/PictureObstacle.h"
+#include "Shared/Simulation/SimulationModel.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,13 +25,27 @@ OutputPaths::List() const
   std::vector<Output> outputs{ { walls, "cell walls" },
                                { complex, "adjacency complex" },
                                { cells, "cells" },
+                               { cellSurfaces, "surfaces of the cells" },
                                { statistics, "statistics of the cells" },
                                { wallStatistics, "statistics of the walls" },
                                { graph, "graph of neighbours" },
                                { junctions, "junctions" },
                                { report, "report" },
-                               { picture, "picture" } };
-  const auto          isUnasked = [](const Output & output) { return output.path.empty(); };
+                               { picture, "picture" },
+                               { returnParameters, "results for 3D Slicer" } };
+  for (const std::string & simulation : simulations)
+  {
+    outputs.push_back({ simulation, "model for a simulation" });
+    if (IsGmshModel(simulation))
+    {
+      outputs.push_back({ GmshWallsBeside(simulation), "walls of the model" });
+    }
+  }
+  for (const std::string & path : exports)
+  {
+    outputs.push_back({ path, "mesh" });
+  }
+  const auto isUnasked = [](const Output & output) { return output.path.empty(); };
   outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnasked), outputs.end());
   return outputs;
 }
@@ -41,20 +57,54 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
     ->required()
     ->type_name("FILE")
     ->check(EndsIn(".vtp"));
-  const auto add = [&app](const char * name, std::string & path, const char * extension, const char * description) {
-    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extension))->group("Further outputs");
+  const auto add = [&app](const char *                     name,
+                          std::string &                    path,
+                          const std::vector<std::string> & extensions,
+                          const char *                     description) {
+    app.add_option(name, path, description)->type_name("FILE")->check(EndsIn(extensions))->group("Further outputs");
   };
-  add("--complex", paths.complex, ".vtu", "The adjacency complex");
-  add("--cells", paths.cells, ".vtu", "The cells as polyhedra, with their statistics");
-  add("--statistics", paths.statistics, ".csv", "The cells' statistics, one row a cell");
-  add("--walls", paths.wallStatistics, ".csv", "The walls' statistics, one row a wall");
+  add("--complex", paths.complex, { ".vtu" }, "The adjacency complex");
+  add("--cells",
+      paths.cells,
+      { ".vtu", ".vtm" },
+      "The cells as polyhedra, with their statistics, or (.seg.vtm) as a segmentation of 3D Slicer");
+  add("--cellSurfaces",
+      paths.cellSurfaces,
+      { ".vtp" },
+      "The closed surface of each cell, walls twice, with its statistics");
+  app
+    .add_option("--simulation",
+                paths.simulations,
+                "A model to mesh the cells: .geo for Gmsh (with a .msh beside it), .smesh for TetGen; may be repeated")
+    ->type_name("FILE")
+    ->check(EndsIn(std::vector<std::string>{ ".geo", ".smesh" }))
+    ->group("Further outputs");
+  app
+    .add_option(
+      "--export",
+      paths.exports,
+      "The cells for other programs: .ply (cellcomplex), .mgx.ply (MorphoGraphX), .glb, .obj, .stl; may be repeated")
+    ->type_name("FILE")
+    ->check(EndsIn(std::vector<std::string>{ ".ply", ".glb", ".obj", ".stl" }))
+    ->group("Further outputs");
+  app.add_option("--exportCells", paths.exportedCells, "Labels of the cells in them; all by default")
+    ->type_name("LABELS")
+    ->group("Further outputs");
+  add("--statistics", paths.statistics, { ".csv" }, "The cells' statistics, one row a cell");
+  add("--walls", paths.wallStatistics, { ".csv" }, "The walls' statistics, one row a wall");
   add("--graph",
       paths.graph,
-      ".graphml",
+      { ".graphml" },
       "Which cells are neighbours: a node a cell with its statistics, an edge by the area of two cells' walls");
-  add("--junctions", paths.junctions, ".csv", "The places in the image where four cells meet, one row each");
-  add("--report", paths.report, ".json", "Report of the run");
-  add("--picture", paths.picture, ".png", "Picture of the tissue; needs an X display, such as xvfb-run gives");
+  add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
+  add("--report", paths.report, { ".json" }, "Report of the run");
+  add("--picture", paths.picture, { ".png" }, "Picture of the tissue; needs an X display, such as xvfb-run gives");
+}
+
+bool
+IsSegmentation(const std::string & path)
+{
+  return std::filesystem::path(path).extension() == ".vtm";
 }
 
 void
@@ -64,7 +114,7 @@ RequireOutputs(const OutputPaths & paths, const std::vector<std::string> & input
   std::set<fs::path> known;
   for (const auto & [path, content] : paths.List())
   {
-    OutputFiles::RequireWritable(path);
+    IsSegmentation(path) ? OutputFiles::RequireWritableWithPieces(path) : OutputFiles::RequireWritable(path);
     for (const std::string & input : inputs)
     {
       if (!input.empty())

@@ -7,6 +7,8 @@
 #ifndef OutputPaths_h
 #define OutputPaths_h
 
+#include "TissueTessellationCore/Common/Types.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -20,12 +22,20 @@ struct OutputPaths
   std::string walls;
   std::string complex;
   std::string cells;
+  std::string cellSurfaces;
   std::string statistics;
   std::string wallStatistics;
   std::string graph;
   std::string junctions;
   std::string report;
   std::string picture;
+  /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
+  std::vector<std::string> simulations;
+  /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */
+  std::vector<std::string> exports;
+  std::vector<Label>       exportedCells;
+  /** Of --returnparameterfile. */
+  std::string returnParameters;
 
   struct Output
   {
@@ -42,6 +52,10 @@ struct OutputPaths
 /** The mesh of the walls, required, and all further outputs. */
 void
 AddOutputOptions(CLI::App & app, OutputPaths & paths);
+
+/** Whether cells go to a segmentation of 3D Slicer, rather than to a grid. */
+bool
+IsSegmentation(const std::string & path);
 
 /** \brief Throws std::runtime_error for everything that would make the outputs impossible, before the work.
  *

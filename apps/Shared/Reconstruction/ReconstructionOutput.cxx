@@ -6,20 +6,28 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/ReconstructionOutput.h"
 
+#include "Shared/Exports/MeshExport.h"
 #include "Shared/Files/GraphFile.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/WallMeshPicture.h"
+#include "Shared/Reconstruction/CellSegmentation.h"
+#include "Shared/Reconstruction/ReconstructionModule.h"
+#include "Shared/Simulation/SimulationModel.h"
 #include "TissueTessellationVTKBridge.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <filesystem>
 
 namespace tissue
 {
@@ -43,6 +51,60 @@ AddNames(vtkFieldData * columns, const std::map<Label, std::string> & names)
   }
   columns->AddArray(column);
 }
+
+void
+AddSimulations(const std::vector<std::string> & models, const WallMesh & walls, const std::vector<Cell> & cells,
+               OutputFiles & files)
+{
+  if (models.empty())
+  {
+    return;
+  }
+  const SimulationModel model(walls, cells);
+  for (const std::string & name : models)
+  {
+    if (IsGmshModel(name))
+    {
+      const std::string beside = GmshWallsBeside(name);
+      const std::string merged = std::filesystem::path(beside).filename().string();
+      files.Add(beside, [&](const std::string & path) { model.WriteGmshWalls(path); });
+      files.Add(name, [&](const std::string & path) { model.WriteGmshModel(path, merged); });
+    }
+    else
+    {
+      files.Add(name, [&](const std::string & path) { model.WriteTetGenModel(path); });
+    }
+  }
+}
+
+std::map<Label, Color>
+ColorByLabel(const WallMesh & walls, const std::vector<Cell> & cells)
+{
+  const std::vector<Color> colors = ChooseCellColors(walls, static_cast<VertexId>(cells.size()));
+  std::map<Label, Color>   byLabel;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    byLabel[cells[v].label] = colors[v];
+  }
+  return byLabel;
+}
+
+/** The cells as a grid, or as a segmentation of 3D Slicer. */
+void
+AddCells(const std::string & path, const ReconstructionReport & report, OutputFiles & files)
+{
+  const WallMesh &          walls = report.GetReconstruction().walls;
+  const std::vector<Cell> & cells = report.GetCells();
+  const auto                grid = MakeCellGrid(walls, cells, report.tissue.check, report.tissue.statistics);
+  if (IsSegmentation(path))
+  {
+    const auto segmentation = MakeCellSegmentation(grid, ColorByLabel(walls, cells), report.input.names);
+    files.AddWithPieces(path, [&](const std::string & temporary) { WriteXML(segmentation, temporary); });
+    return;
+  }
+  // Names are text, which meshio does not read of grids.
+  files.Add(path, [&](const std::string & temporary) { WriteXML(grid, temporary); });
+}
 } // namespace
 
 void
@@ -64,11 +126,20 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells, statistics), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
-  add(paths.cells, [&](const std::string & path) {
-    const auto grid = MakeCellGrid(walls, cells, check, statistics);
-    AddNames(grid->GetCellData(), report.input.names);
-    WriteXML(grid, path);
+  if (!paths.cells.empty())
+  {
+    AddCells(paths.cells, report, files);
+  }
+  add(paths.cellSurfaces, [&](const std::string & path) {
+    const auto surfaces = MakeCellSurfaces(walls, cells, check, statistics);
+    AddNames(surfaces->GetCellData(), report.input.names);
+    WriteXML(surfaces, path);
   });
+  AddSimulations(paths.simulations, walls, cells, files);
+  for (const std::string & name : paths.exports)
+  {
+    files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });
+  }
   const auto makeCellTable = [&] {
     const auto table = MakeCellTable(walls, cells, check, statistics);
     AddNames(table->GetRowData(), report.input.names);
@@ -76,11 +147,13 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   };
   add(paths.statistics, [&](const std::string & path) { WriteCSV(makeCellTable(), path); });
   add(paths.wallStatistics, [&](const std::string & path) { WriteCSV(MakeWallTable(walls, cells, statistics), path); });
-  add(paths.graph,
-      [&](const std::string & path) { WriteGraphML(makeCellTable(), MakeNeighborTable(walls, cells), path); });
+  add(paths.graph, [&](const std::string & path) {
+    WriteGraphML(makeCellTable(), MakeNeighborTable(walls, cells, statistics), path);
+  });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
+  add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
   add(paths.report, [&](const std::string & path) { WriteJson(ToJson(report), path); });
   files.Commit();
   progress.End();

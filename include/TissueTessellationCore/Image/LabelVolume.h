@@ -8,10 +8,10 @@
 #define TissueTessellationCore_LabelVolume_h
 
 #include "TissueTessellationCore/Geometry/Vector.h"
+#include "TissueTessellationCore/Image/VoxelVertices.h"
 
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace tissue
 {
@@ -21,7 +21,7 @@ struct LabelVolume
 {
   std::array<std::int32_t, 3> size = { { 0, 0, 0 } };
   /** The vertex of each voxel, the first axis fastest. */
-  std::vector<VertexId> vertices;
+  VoxelVertices vertices;
   /** The centre of the first voxel. */
   Point origin = { { 0.0, 0.0, 0.0 } };
   /** The step to the next voxel along each axis of the image. */

@@ -98,6 +98,10 @@ struct TissueStatistics
   std::vector<WallStatistics> walls;
 };
 
+/** Measures the walls alone, of a mesh that RequireConsistentIndices() lets pass; their cutArea stays 0. */
+std::vector<WallStatistics>
+MeasureWalls(const WallMesh & mesh);
+
 /** \brief Measures cells and walls.
  *
  * The tissue is cut, and its surface no epidermis,
@@ -111,8 +115,8 @@ struct TissueStatistics
  *   then a tenth of the cells' diameter off a quadratic surface (root mean square; the median over a wall and those
  *   around it); this does not count where less than a fifth would be left.
  *
- * Of walls that are rough or in a plane those count that are surrounded by such, where they make up a tenth or more, in a
- * plane a twentieth or more, of the surface that is not on the border; with what is smaller between rough ones. So an
+ * Of walls that are rough or in a plane those count that are surrounded by such, where they make up a tenth or more, in
+ * a plane a twentieth or more, of the surface that is not on the border; with what is smaller between rough ones. So an
  * edge, and a crease between two organs, is no cut.
  *
  * The epidermis are the cells that have a fiftieth of their surface or more at the exterior that is neither cut nor a

@@ -82,12 +82,12 @@ ReadTissuePlane(const LabelVolume & volume, std::int32_t z)
   {
     return plane;
   }
-  auto voxel = volume.vertices.begin() + static_cast<std::ptrdiff_t>(z) * volume.size[1] * volume.size[0];
+  auto voxel = static_cast<std::size_t>(z) * volume.size[1] * volume.size[0];
   for (std::size_t y = 1; y + 1 < plane.height; ++y)
   {
     for (std::size_t x = 1; x + 1 < plane.width; ++x)
     {
-      plane.isCell[y * plane.width + x] = *voxel++ != ExteriorVertex ? 1 : 0;
+      plane.isCell[y * plane.width + x] = volume.vertices[voxel++] != ExteriorVertex ? 1 : 0;
     }
   }
   return plane;

@@ -172,11 +172,13 @@ ComputeVoxelDice(const WallMesh & walls, VertexId numberOfVertices, const LabelV
     std::int64_t inMesh = 0;
     std::int64_t common = 0;
     crossings.VisitWithin([&](std::int64_t row, const Range & range) {
-      const auto begin = labels.vertices.begin() + row * labels.size[0];
       if (range.first <= range.last)
       {
         inMesh += range.last - range.first + 1;
-        common += std::count(begin + range.first, begin + range.last + 1, static_cast<VertexId>(cell));
+        common += labels.vertices.Visit([&](const auto * first) {
+          const auto * const begin = first + row * labels.size[0];
+          return std::count(begin + range.first, begin + range.last + 1, static_cast<VertexId>(cell));
+        });
       }
     });
     dice[cell] = common > 0 ? 2.0 * static_cast<double>(common) / static_cast<double>(inMesh + inImage[cell]) : 0.0;

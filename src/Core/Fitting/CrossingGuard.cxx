@@ -43,7 +43,7 @@ CountShared(const Triangle & a, const Triangle & b)
   int shared = 0;
   for (const PointId p : a)
   {
-    shared += std::find(b.begin(), b.end(), p) != b.end() ? 1 : 0;
+    shared += static_cast<int>(p == b[0]) | static_cast<int>(p == b[1]) | static_cast<int>(p == b[2]);
   }
   return shared;
 }

@@ -18,29 +18,32 @@ namespace
 /** Finds the triangles that each loose point's own can come to cross while all loose points stay within their reach.
  *
  * These are the triangles whose box, extended by the reach of their own loose points, overlaps the point's reach. One
- * grid holds the boxes of all triangles and, after them, the reaches. */
+ * grid holds the boxes of all triangles, a group among which no pairs are asked for, and, after them, the reaches. */
 void
 FindClose(const WallMesh & mesh, std::vector<LoosePoint> & loose)
 {
-  const auto       numberOfTriangles = static_cast<std::int32_t>(mesh.triangles.size());
-  std::vector<Box> boxes;
-  for (const auto & triangle : mesh.triangles)
-  {
-    boxes.push_back(BoxOfTriangle(mesh.points, triangle));
-  }
+  const auto                 numberOfTriangles = static_cast<std::int32_t>(mesh.triangles.size());
+  std::map<std::size_t, Box> extended;
+  std::vector<std::int32_t>  groups(mesh.triangles.size(), 0);
   for (const LoosePoint & entry : loose)
   {
     for (const std::int32_t t : entry.triangles)
     {
-      Extend(boxes[t], entry.reach.lower);
-      Extend(boxes[t], entry.reach.upper);
+      Box & box = extended.emplace(t, BoxOfTriangle(mesh.points, mesh.triangles[t])).first->second;
+      Extend(box, entry.reach.lower);
+      Extend(box, entry.reach.upper);
     }
+    groups.push_back(groups.back() + 1);
   }
-  for (const LoosePoint & entry : loose)
-  {
-    boxes.push_back(entry.reach);
-  }
-  const BoxGrid grid(boxes);
+  const auto boxOf = [&](std::size_t i) {
+    if (i >= mesh.triangles.size())
+    {
+      return loose[i - mesh.triangles.size()].reach;
+    }
+    const auto found = extended.find(i);
+    return found != extended.end() ? found->second : BoxOfTriangle(mesh.points, mesh.triangles[i]);
+  };
+  const BoxGrid grid(mesh.triangles.size() + loose.size(), boxOf, std::move(groups));
   for (std::int64_t layer = 0; layer < grid.NumberOfLayers(); ++layer)
   {
     grid.VisitPairs(layer, [&](std::int32_t a, std::int32_t b) {

@@ -198,28 +198,24 @@ CollectWallFaces(const WallMesh & mesh, const std::vector<VertexPair> & pairs, c
       isOneOfSeveral[wall] = walls.size() > 1;
     }
   }
-  const ImagePlaces    faces = CollectImageFaces(volume, differentPairs);
-  const auto           outlines = CollectOutlines(mesh, isOneOfSeveral);
-  ImagePlaces::Entries entries;
-  std::size_t          group = 0;
-  for (const auto & [pair, walls] : wallsOf)
-  {
-    std::vector<std::size_t> wallOf(static_cast<std::size_t>(faces.End(group) - faces.Begin(group)), 0);
-    if (walls.size() > 1 && !wallOf.empty())
+  ImagePlaces faces = CollectImageFaces(volume, differentPairs);
+  const auto  outlines = CollectOutlines(mesh, isOneOfSeveral);
+  faces.Regroup(pairs.size(), [&](std::size_t group) {
+    const std::vector<WallId> & walls = wallsOf[differentPairs[group]];
+    const Place * const         begin = faces.Begin(group);
+    if (walls.size() == 1 || begin == faces.End(group))
     {
-      std::vector<const std::vector<Point> *> outlinesHere;
-      for (const WallId wall : walls)
-      {
-        outlinesHere.push_back(&outlines[wall]);
-      }
-      wallOf = FaceSharing(volume, faces.Begin(group), faces.End(group)).Share(outlinesHere);
+      return std::vector<std::size_t>{ static_cast<std::size_t>(walls.front()) };
     }
-    for (std::size_t i = 0; i < wallOf.size(); ++i)
+    std::vector<const std::vector<Point> *> outlinesHere;
+    for (const WallId wall : walls)
     {
-      entries.push_back({ walls[wallOf[i]], faces.Begin(group)[i] });
+      outlinesHere.push_back(&outlines[wall]);
     }
-    ++group;
-  }
-  return ImagePlaces(pairs.size(), entries);
+    std::vector<std::size_t> wallOf = FaceSharing(volume, begin, faces.End(group)).Share(outlinesHere);
+    std::transform(wallOf.begin(), wallOf.end(), wallOf.begin(), [&](std::size_t i) { return walls[i]; });
+    return wallOf;
+  });
+  return faces;
 }
 } // namespace tissue

@@ -25,7 +25,7 @@
 #include "Remeshing/WallEdgeLengths.h"
 #include "Remeshing/WallRemeshing.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include <cmath>
 #include <numeric>
@@ -361,14 +361,12 @@ private:
   /** In the order of the dual, the points of the mesh. */
   std::vector<PointId> m_Corners;
 };
-} // namespace
 
-WallMesh
-FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, WallFittingStatistics * statistics,
-         const Execution & execution)
+/** The fitted walls of the complex, and whether they have been remeshed. */
+std::pair<WallMesh, bool>
+FitWallsOfComplex(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, WallFittingStatistics & s,
+                  const Execution & execution)
 {
-  WallFittingStatistics   own;
-  WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
   execution.EnterPhase("Making the walls");
   Fitter   fitter(tissue, execution);
   WallMesh mesh = fitter.MakeStar(std::move(dual), s);
@@ -384,12 +382,23 @@ FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, Wa
     fitter.FitStar(mesh, LastStarRounds);
   }
   fitter.PutCornersInOrder(mesh);
+  return { std::move(mesh), isRemeshed };
+}
+} // namespace
+
+WallMesh
+FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, WallFittingStatistics * statistics,
+         const Execution & execution)
+{
+  WallFittingStatistics   own;
+  WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
+  auto [mesh, isRemeshed] = FitWallsOfComplex(std::move(dual), tissue, trianglesPerCell, s, execution);
   JoinWalls(mesh);
   if (isRemeshed)
   {
     s.sharpPlaces = FindSharpPlaces(mesh, AngleLimits());
   }
   s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
-  return mesh;
+  return std::move(mesh);
 }
 } // namespace tissue

@@ -6,7 +6,10 @@
  *=========================================================================*/
 #include "Image/ImagePlaces.h"
 
+#include "Image/BlockRow.h"
+
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace tissue
@@ -26,69 +29,159 @@ PlaceAt(const LabelVolume & volume, double x, double y, double z)
   return { { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) } };
 }
 
-/** Calls visit(x, y, z) for the first voxel of each block of eight that is not all of one cell; from -1, so that the
- * outside is seen. */
-template <typename TVisitor>
-void
-VisitMixedBlocks(const LabelVolume & volume, const TVisitor & visit)
+/** \brief The faces at the upper sides of the voxels of a row, with those of the exterior in front of the image. */
+template <typename TVertex>
+class FaceRow
 {
-  for (std::int32_t z = -1; z < volume.size[2]; ++z)
+public:
+  /** \param vertices those of the volume (VoxelVertices::Visit()).
+   *  \param outside a row of exterior. */
+  FaceRow(const LabelVolume & volume, const TVertex * vertices, const std::vector<TVertex> & outside, std::int32_t y,
+          std::int32_t z)
+    : m_Size(volume.size[0])
   {
-    for (std::int32_t y = -1; y < volume.size[1]; ++y)
-    {
-      // The four voxels of a block at the same x, and those before.
-      std::array<VertexId, 4> before{};
-      for (std::int32_t x = -2; x < volume.size[0]; ++x)
+    const auto rowOf = [&](std::int32_t rowY, std::int32_t rowZ) {
+      const bool isInside = rowY >= 0 && rowZ >= 0 && rowY < volume.size[1] && rowZ < volume.size[2];
+      return isInside ? vertices + (static_cast<std::size_t>(rowZ) * volume.size[1] + rowY) * volume.size[0]
+                      : outside.data();
+    };
+    m_Row = rowOf(y, z);
+    m_Next = { { nullptr, rowOf(y + 1, z), rowOf(y, z + 1) } };
+  }
+
+  /** Calls visit(x, axis, a, b) for each face between different vertices a and b, by x, then by the axis that it is
+   * normal to. */
+  template <typename TVisitor>
+  void
+  VisitDifferent(const TVisitor & visit) const
+  {
+    const auto visitIfDifferent = [&visit](std::int32_t x, int axis, VertexId a, VertexId b) {
+      if (a != b)
       {
-        const std::array<VertexId, 4> next{ { volume.At(x + 1, y, z),
-                                              volume.At(x + 1, y + 1, z),
-                                              volume.At(x + 1, y, z + 1),
-                                              volume.At(x + 1, y + 1, z + 1) } };
-        const bool isMixed = next[0] != next[1] || next[0] != next[2] || next[0] != next[3] || next != before;
-        if (x >= -1 && isMixed)
-        {
-          visit(x, y, z);
-        }
-        before = next;
+        visit(x, axis, a, b);
+      }
+    };
+    visitIfDifferent(-1, 0, ExteriorVertex, m_Row[0]);
+    constexpr std::int32_t stretch = 16; // most of which are of one cell
+    for (std::int32_t begin = 0; begin < m_Size; begin += stretch)
+    {
+      const std::int32_t end = std::min(begin + stretch, m_Size);
+      for (std::int32_t x = begin; !this->AreAlike(begin, end) && x < end; ++x)
+      {
+        visitIfDifferent(x, 0, m_Row[x], x + 1 < m_Size ? m_Row[x + 1] : ExteriorVertex);
+        visitIfDifferent(x, 1, m_Row[x], m_Next[1][x]);
+        visitIfDifferent(x, 2, m_Row[x], m_Next[2][x]);
       }
     }
   }
+
+private:
+  /** Whether the voxels of [begin, end) have no face between different vertices. */
+  bool
+  AreAlike(std::int32_t begin, std::int32_t end) const
+  {
+    VertexId differences = m_Row[begin] ^ (end < m_Size ? m_Row[end] : ExteriorVertex);
+    for (std::int32_t x = begin; x < end; ++x)
+    {
+      differences |= (m_Row[begin] ^ m_Row[x]) | (m_Row[x] ^ m_Next[1][x]) | (m_Row[x] ^ m_Next[2][x]);
+    }
+    return differences == 0;
+  }
+
+  std::int32_t                   m_Size;
+  const TVertex *                m_Row;
+  std::array<const TVertex *, 3> m_Next;
+};
+
+/** Calls visit(x, y, z, axis, a, b) for all faces between different vertices, in raster order. */
+template <typename TVisitor>
+void
+VisitFaces(const LabelVolume & volume, const TVisitor & visit)
+{
+  volume.vertices.Visit([&](const auto * vertices) {
+    using Vertex = std::remove_cv_t<std::remove_reference_t<decltype(*vertices)>>;
+    const std::vector<Vertex> outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
+    for (std::int32_t z = -1; z < volume.size[2]; ++z)
+    {
+      for (std::int32_t y = -1; y < volume.size[1]; ++y)
+      {
+        FaceRow<Vertex>(volume, vertices, outside, y, z)
+          .VisitDifferent([&](std::int32_t x, int axis, VertexId a, VertexId b) { visit(x, y, z, axis, a, b); });
+      }
+    }
+  });
+}
+
+/** The four voxels of a block around its edge along each axis that is at the upper sides of the first voxel. */
+constexpr int AroundEdge[3][4] = { { 0, 2, 4, 6 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
+
+/** The different cells around an edge, ascending; their number comes with them. */
+std::pair<std::array<VertexId, 4>, int>
+CellsAroundEdge(const BlockVoxels & voxels, int axis)
+{
+  std::array<VertexId, 4> around{};
+  std::transform(
+    std::begin(AroundEdge[axis]), std::end(AroundEdge[axis]), around.begin(), [&](int i) { return voxels[i]; });
+  const auto [least, most] = std::minmax_element(around.begin(), around.end());
+  const bool areThree = std::any_of(
+    around.begin(), around.end(), [least = *least, most = *most](VertexId v) { return v != least && v != most; });
+  if (!areThree)
+  {
+    return { around, *least == *most ? 1 : 2 };
+  }
+  std::sort(around.begin(), around.end());
+  return { around, static_cast<int>(std::unique(around.begin(), around.end()) - around.begin()) };
 }
 } // namespace
 
-ImagePlaces::ImagePlaces(std::size_t numberOfGroups, const Entries & entries)
-  : m_Places(numberOfGroups, [&entries](const auto & add) {
-    for (const Entry & entry : entries)
+void
+ImagePlaces::Regroup(std::size_t                                                        numberOfNewGroups,
+                     const std::function<std::vector<std::size_t>(std::size_t group)> & newGroupsOf)
+{
+  std::vector<Part> newGroups(numberOfNewGroups, Part{ 0, 0, 0 });
+  for (std::size_t group = 0; group < m_Groups.size(); ++group)
+  {
+    const auto                     row = m_Rows[m_Groups[group].row];
+    const std::vector<std::size_t> newGroupOf = newGroupsOf(group);
+    if (newGroupOf.size() == 1)
     {
-      add(static_cast<std::size_t>(entry.group), entry.place);
+      newGroups[newGroupOf.front()] = m_Groups[group];
+      continue;
     }
-  })
-{}
+    std::map<std::size_t, std::vector<Place>> placesOf;
+    for (std::size_t i = 0; i < newGroupOf.size(); ++i)
+    {
+      placesOf[newGroupOf[i]].push_back(row.begin()[m_Groups[group].begin + i]);
+    }
+    std::size_t at = m_Groups[group].begin;
+    for (const auto & [newGroup, places] : placesOf)
+    {
+      std::copy(places.begin(), places.end(), row.begin() + at);
+      newGroups[newGroup] = { m_Groups[group].row, at, at + places.size() };
+      at += places.size();
+    }
+  }
+  m_Groups = std::move(newGroups);
+}
 
 ImagePlaces
 CollectImageFaces(const LabelVolume & volume, const std::vector<VertexPair> & pairs)
 {
-  std::unordered_map<std::uint64_t, std::int32_t> groupOf;
+  std::unordered_map<std::uint64_t, std::size_t> groupOf;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    groupOf[KeyOf(pairs[i][0], pairs[i][1])] = static_cast<std::int32_t>(i);
+    groupOf[KeyOf(pairs[i][0], pairs[i][1])] = i;
   }
-  ImagePlaces::Entries entries;
-  VisitMixedBlocks(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-    const VertexId here = volume.At(x, y, z);
-    const VertexId next[3] = { volume.At(x + 1, y, z), volume.At(x, y + 1, z), volume.At(x, y, z + 1) };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto at = here != next[axis] ? groupOf.find(KeyOf(here, next[axis])) : groupOf.end();
+  return ImagePlaces(pairs.size(), [&](const auto & add) {
+    VisitFaces(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z, int axis, VertexId a, VertexId b) {
+      const auto at = groupOf.find(KeyOf(a, b));
       if (at != groupOf.end())
       {
-        entries.push_back(
-          { at->second,
-            PlaceAt(volume, x + (axis == 0 ? 0.5 : 0.0), y + (axis == 1 ? 0.5 : 0.0), z + (axis == 2 ? 0.5 : 0.0)) });
+        add(at->second,
+            PlaceAt(volume, x + (axis == 0 ? 0.5 : 0.0), y + (axis == 1 ? 0.5 : 0.0), z + (axis == 2 ? 0.5 : 0.0)));
       }
-    }
+    });
   });
-  return ImagePlaces(pairs.size(), entries);
 }
 
 ImagePlaces
@@ -102,35 +195,30 @@ CollectImageLines(const LabelVolume & volume, const std::vector<VertexTriple> & 
       entries.push_back({ static_cast<std::int32_t>(at - lines.begin()), PlaceAt(volume, x, y, z) });
     }
   };
-  VisitMixedBlocks(volume, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-    for (int axis = 0; axis < 3; ++axis)
+  const auto addAround = [&](const BlockVoxels & voxels, int axis, double x, double y, double z) {
+    const auto [around, count] = CellsAroundEdge(voxels, axis);
+    for (int left = 0; count >= 3 && left < (count == 4 ? 4 : 1); ++left)
     {
-      const int i = axis == 0 ? 0 : 1;
-      const int j = axis == 1 ? 0 : 1;
-      const int k = axis == 2 ? 0 : 1;
-      // The voxels around an edge along the axis.
-      const bool              isAlongX = axis == 0;
-      const bool              isAlongZ = axis == 2;
-      std::array<VertexId, 4> around{ { volume.At(x, y, z),
-                                        isAlongX ? volume.At(x, y + 1, z) : volume.At(x + 1, y, z),
-                                        isAlongZ ? volume.At(x, y + 1, z) : volume.At(x, y, z + 1),
-                                        volume.At(x + i, y + j, z + k) } };
-      std::sort(around.begin(), around.end());
-      const auto count = std::unique(around.begin(), around.end()) - around.begin();
-      for (int left = 0; count >= 3 && left < (count == 4 ? 4 : 1); ++left)
+      VertexTriple cells{};
+      for (int c = 0, n = 0; n < 3; ++c)
       {
-        VertexTriple cells{};
-        for (int c = 0, n = 0; n < 3; ++c)
+        if (count == 3 || c != left)
         {
-          if (count == 3 || c != left)
-          {
-            cells[n++] = around[c];
-          }
+          cells[n++] = around[c];
         }
-        add(cells, x + 0.5 * i, y + 0.5 * j, z + 0.5 * k);
       }
+      add(cells, x + (axis == 0 ? 0.0 : 0.5), y + (axis == 1 ? 0.0 : 0.5), z + (axis == 2 ? 0.0 : 0.5));
     }
-  });
+  };
+  for (std::int32_t z = -1; z < volume.size[2]; ++z)
+  {
+    VisitMixedBlocks(volume, z, [&](std::int32_t x, std::int32_t y, const BlockVoxels & voxels) {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        addAround(voxels, axis, x, y, z);
+      }
+    });
+  }
   return ImagePlaces(lines.size(), entries);
 }
 

@@ -15,7 +15,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 
-#include <deque>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -34,25 +34,60 @@ public:
     std::int32_t group;
     Place        place;
   };
-  /** Millions of entries, in pieces: a vector would hold them twice while it grows. */
-  using Entries = std::deque<Entry>;
+  using Entries = std::vector<Entry>;
 
-  ImagePlaces(std::size_t numberOfGroups, const Entries & entries);
+  /** \param giveAll is called twice, as giveAll(add), and calls add(group, place) for each place, both times in the
+   * same order. */
+  template <typename TGiveAll>
+  ImagePlaces(std::size_t numberOfGroups, const TGiveAll & giveAll)
+    : m_Rows(numberOfGroups, giveAll)
+  {
+    for (std::size_t group = 0; group < numberOfGroups; ++group)
+    {
+      m_Groups.push_back({ group, 0, m_Rows[group].size() });
+    }
+  }
+
+  ImagePlaces(std::size_t numberOfGroups, const Entries & entries)
+    : ImagePlaces(numberOfGroups, [&entries](const auto & add) {
+      for (const Entry & entry : entries)
+      {
+        add(static_cast<std::size_t>(entry.group), entry.place);
+      }
+    })
+  {}
 
   const Place *
   Begin(std::size_t group) const
   {
-    return m_Places[group].begin();
+    return m_Rows[m_Groups[group].row].begin() + m_Groups[group].begin;
   }
 
   const Place *
   End(std::size_t group) const
   {
-    return m_Places[group].end();
+    return m_Rows[m_Groups[group].row].begin() + m_Groups[group].end;
   }
 
+  /** \brief Gives the places of each group to new groups, where they are: there may be millions of them.
+   *
+   * \param newGroupsOf gives, of each group, the new group of each of its places in turn, or one for all of them. A new
+   * group is of one old group's places alone, which stay in their order. */
+  void
+  Regroup(std::size_t                                                        numberOfNewGroups,
+          const std::function<std::vector<std::size_t>(std::size_t group)> & newGroupsOf);
+
 private:
-  CompressedRows<Place> m_Places;
+  /** A group's part of a row. */
+  struct Part
+  {
+    std::size_t row;
+    std::size_t begin;
+    std::size_t end;
+  };
+
+  CompressedRows<Place> m_Rows;
+  std::vector<Part>     m_Groups;
 };
 
 /** The centres of the voxel faces between the two cells of each pair, in any order. */

@@ -88,16 +88,18 @@ private:
   AddRow(std::size_t row)
   {
     m_First.push_back(m_Runs.size());
-    const auto begin = m_Volume.vertices.begin() + static_cast<std::ptrdiff_t>(row) * m_Volume.size[0];
-    const auto end = begin + m_Volume.size[0];
-    const auto isCell = [](VertexId vertex) { return vertex != ExteriorVertex; };
-    for (auto at = std::find(begin, end, ExteriorVertex); at != end; at = std::find(at, end, ExteriorVertex))
-    {
-      const auto last = std::find_if(at, end, isCell);
-      m_Runs.push_back({ static_cast<std::int32_t>(at - begin), static_cast<std::int32_t>(last - begin) });
-      m_Sets.Add();
-      at = last;
-    }
+    m_Volume.vertices.Visit([&](const auto * vertices) {
+      const auto * const begin = vertices + row * static_cast<std::size_t>(m_Volume.size[0]);
+      const auto * const end = begin + m_Volume.size[0];
+      const auto         isCell = [](VertexId vertex) { return vertex != ExteriorVertex; };
+      for (auto at = std::find(begin, end, ExteriorVertex); at != end; at = std::find(at, end, ExteriorVertex))
+      {
+        const auto last = std::find_if(at, end, isCell);
+        m_Runs.push_back({ static_cast<std::int32_t>(at - begin), static_cast<std::int32_t>(last - begin) });
+        m_Sets.Add();
+        at = last;
+      }
+    });
     if (this->Y(row) > 0)
     {
       this->Unite(row, row - 1);

@@ -93,9 +93,10 @@ IndicatorField::IsWithin(int x, int y, int z) const
 IndicatorField::Row
 IndicatorField::RowWithin(int x, int y, int z) const
 {
-  const VertexId * first =
-    m_Volume.vertices.data() + (static_cast<std::size_t>(z) * m_Volume.size[1] + y) * m_Volume.size[0] + x;
-  return { { first[0], first[1], first[2], first[3] } };
+  const std::size_t offset = (static_cast<std::size_t>(z) * m_Volume.size[1] + y) * m_Volume.size[0] + x;
+  return m_Volume.vertices.Visit([offset](const auto * first) -> Row {
+    return { { first[offset], first[offset + 1], first[offset + 2], first[offset + 3] } };
+  });
 }
 
 IndicatorField::Row

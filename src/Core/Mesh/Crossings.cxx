@@ -96,27 +96,25 @@ MarkNearRuns(const WallMesh & mesh, const std::vector<std::size_t> & first, cons
   return isNear;
 }
 
-/** Some triangles' numbers, boxes and groups (BoxGrid). */
-struct TriangleBoxes
+/** Some triangles' numbers and groups (BoxGrid). */
+struct TriangleGroups
 {
   std::vector<std::int32_t> numbers;
-  std::vector<Box>          boxes;
   std::vector<std::int32_t> groups;
 };
 
 /** Those of the runs that are near. The triangles of a run that is left out are a group, each other one is a group of
  * its own. */
-TriangleBoxes
-CollectBoxes(const WallMesh & mesh, const std::vector<std::size_t> & first, const std::vector<unsigned char> & isNear,
-             const std::vector<unsigned char> & isLeftOut)
+TriangleGroups
+CollectTriangles(const std::vector<std::size_t> & first, const std::vector<unsigned char> & isNear,
+                 const std::vector<unsigned char> & isLeftOut)
 {
-  TriangleBoxes result;
+  TriangleGroups result;
   for (std::size_t run = 0; run < isNear.size(); ++run)
   {
     for (std::size_t t = first[run]; isNear[run] != 0 && t < first[run + 1]; ++t)
     {
       result.numbers.push_back(static_cast<std::int32_t>(t));
-      result.boxes.push_back(BoxOfTriangle(mesh.points, mesh.triangles[t]));
       result.groups.push_back(static_cast<std::int32_t>(isLeftOut[run] != 0 ? first[run] : t));
     }
   }
@@ -144,14 +142,15 @@ SelectClosePairs(const WallMesh & mesh, const std::vector<unsigned char> & isMar
   const std::vector<unsigned char> isNear = MarkNearRuns(mesh, first, isMarked);
   const std::vector<unsigned char> isLeftOut =
     mayMeetWithin ? std::vector<unsigned char>(isNear.size(), 0) : MarkHeightFields(mesh, first, isNear, execution);
-  TriangleBoxes triangles = CollectBoxes(mesh, first, isNear, isLeftOut);
-  if (triangles.boxes.empty())
+  TriangleGroups triangles = CollectTriangles(first, isNear, isLeftOut);
+  if (triangles.numbers.empty())
   {
     return {};
   }
   // A grid finds the boxes that overlap, layer by layer in parallel; the layers' pairs are joined in order, so that the
   // result is the same for any number of threads.
-  const BoxGrid                          grid(triangles.boxes, std::move(triangles.groups));
+  const auto    boxOf = [&](std::size_t i) { return BoxOfTriangle(mesh.points, mesh.triangles[triangles.numbers[i]]); };
+  const BoxGrid grid(triangles.numbers.size(), boxOf, std::move(triangles.groups));
   std::vector<std::vector<TrianglePair>> found(grid.NumberOfLayers());
   execution.For(found.size(), [&](std::size_t layer) {
     grid.VisitPairs(static_cast<std::int64_t>(layer), [&](std::int32_t a, std::int32_t b) {

@@ -44,19 +44,25 @@ NumberJoinedWalls(const WallMesh & mesh)
 void
 CountCells(WallMesh & mesh)
 {
+  // Points within a wall stay there; they are most, and need no list.
+  const std::vector<std::uint8_t>      before = std::move(mesh.numberOfCells);
   std::vector<std::array<VertexId, 2>> incidences; // point, cell
+  mesh.numberOfCells.assign(mesh.points.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
+    const VertexPair & cells = mesh.walls[mesh.wallOfTriangle[t]].cells;
     for (const PointId p : mesh.triangles[t])
     {
-      for (const VertexId cell : mesh.walls[mesh.wallOfTriangle[t]].cells)
+      if (before[p] == CellsWithinWall)
       {
-        incidences.push_back({ { p, cell } });
+        mesh.numberOfCells[p] = CellsWithinWall;
+        continue;
       }
+      incidences.push_back({ { p, cells[0] } });
+      incidences.push_back({ { p, cells[1] } });
     }
   }
   SortUnique(incidences);
-  mesh.numberOfCells.assign(mesh.points.size(), 0);
   for (const auto & incidence : incidences)
   {
     ++mesh.numberOfCells[incidence[0]];
@@ -73,15 +79,17 @@ JoinWalls(WallMesh & mesh)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return joined[mesh.wallOfTriangle[a]] < joined[mesh.wallOfTriangle[b]];
   });
-  WallMesh before = mesh;
+  const std::vector<Triangle>       triangles = mesh.triangles;
+  const std::vector<WallId>         wallOfTriangle = mesh.wallOfTriangle;
+  const std::vector<WallMesh::Wall> walls = mesh.walls;
   for (std::size_t t = 0; t < order.size(); ++t)
   {
-    mesh.triangles[t] = before.triangles[order[t]];
-    mesh.wallOfTriangle[t] = joined[before.wallOfTriangle[order[t]]];
+    mesh.triangles[t] = triangles[order[t]];
+    mesh.wallOfTriangle[t] = joined[wallOfTriangle[order[t]]];
   }
   for (std::size_t w = 0; w < joined.size(); ++w)
   {
-    mesh.walls[joined[w]] = before.walls[w];
+    mesh.walls[joined[w]] = walls[w];
   }
   mesh.walls.resize(joined.empty() ? 0 : static_cast<std::size_t>(*std::max_element(joined.begin(), joined.end())) + 1);
   CountCells(mesh);

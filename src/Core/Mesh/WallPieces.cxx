@@ -87,12 +87,35 @@ TakePatch(const WallPatch & patch, WallPiece & piece)
   }
 }
 
+namespace
+{
+/** Room for the points outside of the pieces, and all that is in them. */
+void
+Reserve(WallMesh & mesh, std::size_t numberOfPoints, const std::vector<WallPiece> & pieces)
+{
+  std::size_t numberOfTriangles = 0;
+  for (const WallPiece & piece : pieces)
+  {
+    numberOfPoints += piece.interior.size();
+    numberOfTriangles += piece.triangles.size();
+  }
+  mesh.points.reserve(numberOfPoints);
+  mesh.numberOfCells.reserve(numberOfPoints);
+  mesh.triangles.reserve(numberOfTriangles);
+  mesh.wallOfTriangle.reserve(numberOfTriangles);
+}
+} // namespace
+
 WallMesh
 JoinWallPieces(const WallMesh & mesh, const std::vector<WallPiece> & pieces)
 {
   WallMesh             joined;
   std::vector<PointId> numberOf(mesh.points.size(), -1);
   joined.walls = mesh.walls;
+  Reserve(joined,
+          mesh.points.size() -
+            static_cast<std::size_t>(std::count(mesh.numberOfCells.begin(), mesh.numberOfCells.end(), CellsWithinWall)),
+          pieces);
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
     if (mesh.numberOfCells[p] > CellsWithinWall)

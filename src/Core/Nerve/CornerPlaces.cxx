@@ -111,6 +111,7 @@ FindCornerPlaces(const LabelVolume & volume, const std::vector<CrowdedBlock> & b
     AppendPlaces(volume, meetings.data() + begin, meetings.data() + end, places);
     begin = end;
   }
+  places.shrink_to_fit();
   return places;
 }
 } // namespace tissue

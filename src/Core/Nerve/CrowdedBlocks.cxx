@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Nerve/CrowdedBlocks.h"
 
+#include "Nerve/PlaneScan.h"
+
 #include <algorithm>
 
 namespace tissue
@@ -57,25 +59,9 @@ DifferentCells(const BlockVoxels & voxels)
 std::vector<CrowdedBlock>
 FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution)
 {
-  const std::vector<VertexId>            outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
-  std::vector<std::vector<CrowdedBlock>> ofPlane(static_cast<std::size_t>(volume.size[2]) + 1);
-  execution.For(ofPlane.size(), [&](std::size_t plane) {
-    for (std::int32_t y = -1; y < volume.size[1]; ++y)
-    {
-      const auto z = static_cast<std::int32_t>(plane) - 1;
-      BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t x, const BlockVoxels & voxels) {
-        if (IsCrowded(voxels))
-        {
-          ofPlane[plane].push_back({ { { x, y, z } }, voxels });
-        }
-      });
-    }
-  });
-  std::vector<CrowdedBlock> blocks;
-  for (const auto & plane : ofPlane)
-  {
-    blocks.insert(blocks.end(), plane.begin(), plane.end());
-  }
-  return blocks;
+  CrowdedBlockGathering gathering(volume);
+  VisitVariedBlocks(
+    volume, [&](std::size_t slab, const CrowdedBlock & block) { gathering.Add(slab, block); }, execution);
+  return gathering.TakeBlocks();
 }
 } // namespace tissue

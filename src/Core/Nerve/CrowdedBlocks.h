@@ -7,8 +7,10 @@
 #ifndef TissueTessellationCore_CrowdedBlocks_h
 #define TissueTessellationCore_CrowdedBlocks_h
 
-#include "Nerve/BlockRow.h"
+#include "Image/BlockRow.h"
+#include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <vector>
 
@@ -27,7 +29,7 @@ bool
 IsCrowded(const BlockVoxels & voxels);
 
 /** All of them, in raster order (first axis fastest), those at the image's border included: outside is exterior.
- * Planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
+ * Slabs of planes are read in parallel; the cost is that of reading the image once, the memory that of the blocks. */
 std::vector<CrowdedBlock>
 FindCrowdedBlocks(const LabelVolume & volume, const Execution & execution = Execution());
 

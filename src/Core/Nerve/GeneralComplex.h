@@ -173,6 +173,13 @@ public:
   GeneralComplex
   InOrder(const std::vector<TetrahedronId> & order) const;
 
+  /** Takes the memory for so many tetrahedra at once. */
+  void
+  Reserve(std::size_t numberOfTetrahedra)
+  {
+    m_Tetrahedra.reserve(numberOfTetrahedra);
+  }
+
   /** Adds a tetrahedron that is glued to nothing yet.
    * \throws std::invalid_argument where a vertex is out of range or there twice. */
   TetrahedronId

@@ -6,9 +6,7 @@
  *=========================================================================*/
 #include "Nerve/HandleCutting.h"
 
-#include "Nerve/BlockRow.h"
 #include "Nerve/KuhnWall.h"
-#include "Nerve/VoxelBox.h"
 
 #include <algorithm>
 #include <bitset>
@@ -123,6 +121,8 @@ class CellShape
 {
 public:
   using Place = std::ptrdiff_t;
+  /** Of each place of the box: bytes, as single bits take longer to come by. */
+  using PlaceSet = std::vector<std::uint8_t>;
 
   /** The voxels of a vertex, all of them in a box. */
   CellShape(const LabelVolume & volume, VertexId cell, const VoxelBox & box)
@@ -133,18 +133,17 @@ public:
       m_Size[axis] = box.most[axis] + 3 - m_First[axis];
     }
     std::transform(KuhnSteps().begin(), KuhnSteps().end(), m_Steps.begin(), [&](const auto & s) { return PlaceOf(s); });
-    m_IsInCell.assign(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2], false);
+    m_IsInCell.assign(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2], 0);
     for (std::int32_t z = box.least[2]; z <= box.most[2]; ++z)
     {
       for (std::int32_t y = box.least[1]; y <= box.most[1]; ++y)
       {
-        const VertexId * row = volume.vertices.data() + OffsetOf(volume, { { 0, y, z } });
         for (std::int32_t x = box.least[0]; x <= box.most[0]; ++x)
         {
-          if (row[x] == cell)
+          if (volume.vertices[OffsetOf(volume, { { x, y, z } })] == cell)
           {
             m_Voxels.push_back(this->PlaceOf({ { x - m_First[0], y - m_First[1], z - m_First[2] } }));
-            m_IsInCell[m_Voxels.back()] = true;
+            m_IsInCell[m_Voxels.back()] = 1;
           }
         }
       }
@@ -168,7 +167,7 @@ public:
   std::vector<VoxelIndex>
   FindCut() const
   {
-    const std::vector<bool> ball = this->GrowBall();
+    const PlaceSet          ball = this->GrowBall();
     std::vector<VoxelIndex> cut;
     for (const Place p : m_Voxels)
     {
@@ -198,19 +197,19 @@ private:
 
   /** Which neighbours of a place are in a set of places, as bits in the order of KuhnSteps(). */
   unsigned
-  SetOf(Place p, const std::vector<bool> & places) const
+  SetOf(Place p, const PlaceSet & places) const
   {
     unsigned set = 0;
     for (std::size_t i = 0; i < m_Steps.size(); ++i)
     {
-      set |= places[p + m_Steps[i]] ? 1u << i : 0u;
+      set |= unsigned{ places[p + m_Steps[i]] } << i;
     }
     return set;
   }
 
-  /** Appends all places that are neither in the cell nor found, and that hang together with those of the list. */
+  /** Finds all places that are not found yet and that hang together with those of the list, which it empties. */
   void
-  FloodAround(std::vector<Place> & open, std::vector<bool> & isFound) const
+  FloodAround(std::vector<Place> & open, PlaceSet & isFound) const
   {
     while (!open.empty())
     {
@@ -218,9 +217,9 @@ private:
       open.pop_back();
       for (const Place step : m_Steps)
       {
-        if (!m_IsInCell[p + step] && !isFound[p + step])
+        if (isFound[p + step] == 0)
         {
-          isFound[p + step] = true;
+          isFound[p + step] = 1;
           open.push_back(p + step);
         }
       }
@@ -231,7 +230,7 @@ private:
   void
   FindCavities()
   {
-    std::vector<bool>  isAround(m_IsInCell.size(), false);
+    PlaceSet           isFound = m_IsInCell;
     std::vector<Place> open;
     // The cell is two places from the box's border: there all are around it, the last ones without a look beyond.
     Place p = 0;
@@ -243,7 +242,7 @@ private:
         for (std::int32_t x = 0; x < m_Size[0]; ++x, ++p)
         {
           const std::int32_t least = std::min({ toBorder, x, m_Size[0] - 1 - x });
-          isAround[p] = least < 2;
+          isFound[p] |= least < 2 ? 1 : 0;
           if (least == 1)
           {
             open.push_back(p);
@@ -251,17 +250,19 @@ private:
         }
       }
     }
-    this->FloodAround(open, isAround);
-    m_IsFilled.assign(isAround.size(), false);
-    std::transform(isAround.begin(), isAround.end(), m_IsFilled.begin(), [](bool around) { return !around; });
-    for (p = 0; p < static_cast<Place>(m_IsFilled.size()); ++p)
+    this->FloodAround(open, isFound);
+    m_IsFilled = m_IsInCell;
+    std::transform(isFound.begin(), isFound.end(), m_IsFilled.begin(), m_IsFilled.begin(), [](int found, int inCell) {
+      return static_cast<std::uint8_t>(found == 0 || inCell != 0 ? 1 : 0);
+    });
+    for (p = 0; p < static_cast<Place>(isFound.size()); ++p)
     {
-      if (m_IsFilled[p] && !m_IsInCell[p] && !isAround[p])
+      if (isFound[p] == 0)
       {
         ++m_NumberOfCavities;
-        isAround[p] = true;
+        isFound[p] = 1;
         open.push_back(p);
-        this->FloodAround(open, isAround);
+        this->FloodAround(open, isFound);
       }
     }
   }
@@ -299,21 +300,21 @@ private:
     return depths;
   }
 
-  std::vector<bool>
+  PlaceSet
   GrowBall() const
   {
     const std::vector<std::int32_t> depths = this->FindDepths();
     using Candidate = std::pair<std::int32_t, Place>; // depth, and of the same depth the first
     std::priority_queue<Candidate> candidates;
-    std::vector<bool>              ball(m_IsFilled.size(), false);
-    std::vector<bool>              isCandidate(m_IsFilled.size(), false);
+    PlaceSet                       ball(m_IsFilled.size(), 0);
+    PlaceSet                       isCandidate(m_IsFilled.size(), 0);
     const auto                     add = [&](Place p) {
-      ball[p] = true;
+      ball[p] = 1;
       for (const Place step : m_Steps)
       {
         if (m_IsFilled[p + step] && !ball[p + step] && !isCandidate[p + step])
         {
-          isCandidate[p + step] = true;
+          isCandidate[p + step] = 1;
           candidates.emplace(depths[p + step], -(p + step));
         }
       }
@@ -323,7 +324,7 @@ private:
     {
       const Place p = -candidates.top().second;
       candidates.pop();
-      isCandidate[p] = false; // a voxel that is refused comes again with the next one beside it
+      isCandidate[p] = 0; // a voxel that is refused comes again with the next one beside it
       if (SimpleSets()[this->SetOf(p, ball)])
       {
         add(p);
@@ -337,10 +338,10 @@ private:
   std::array<Place, 14> m_Steps;
   /** Ascending. */
   std::vector<Place> m_Voxels;
-  std::vector<bool>  m_IsInCell;
+  PlaceSet           m_IsInCell;
   /** With its cavities. */
-  std::vector<bool> m_IsFilled;
-  std::int32_t      m_NumberOfCavities = 0;
+  PlaceSet     m_IsFilled;
+  std::int32_t m_NumberOfCavities = 0;
 };
 
 /** The connected parts of some voxels in ascending order. */
@@ -394,9 +395,9 @@ class Cutting
 {
 public:
   /** \param characteristics of the volume's vertices (FindEulerCharacteristics()). */
-  Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics)
+  Cutting(LabelVolume & volume, std::vector<std::int32_t> characteristics, std::vector<VoxelBox> boxes)
     : m_Volume(volume)
-    , m_Boxes(FindVoxelBoxes(volume, characteristics.size()))
+    , m_Boxes(std::move(boxes))
     , m_Characteristics(std::move(characteristics))
   {}
 
@@ -533,7 +534,9 @@ private:
     {
       m_Boxes[static_cast<std::size_t>(voxel.vertex)].Add(voxel.place);
       m_Scaffolds.erase(voxel.vertex);
-      std::swap(m_Volume.vertices[OffsetOf(m_Volume, voxel.place)], voxel.vertex);
+      const VertexId before = m_Volume.vertices[OffsetOf(m_Volume, voxel.place)];
+      m_Volume.vertices.Put(OffsetOf(m_Volume, voxel.place), voxel.vertex);
+      voxel.vertex = before;
     }
     this->AddTerms(bases, 1);
   }
@@ -563,48 +566,38 @@ private:
   std::set<VertexId> m_Scaffolds;
 };
 
-/** What the blocks of a plane add to the Euler characteristics, by vertex. */
-std::map<VertexId, std::int32_t>
-EulerTermsOfPlane(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t z)
-{
-  std::map<VertexId, std::int32_t> terms;
-  for (std::int32_t y = 0; y < volume.size[1]; ++y)
-  {
-    BlockRow(volume, outside, y, z).VisitMixed([&](std::int32_t, const BlockVoxels & voxels) {
-      const std::int8_t term = voxels[0] != ExteriorVertex ? EulerTerm(voxels) : 0;
-      if (term != 0)
-      {
-        terms[voxels[0]] += term;
-      }
-    });
-  }
-  return terms;
-}
 } // namespace
+
+void
+EulerGathering::Add(const CrowdedBlock & block)
+{
+  const VertexId    vertex = block.cells[0];
+  const std::int8_t term = vertex != ExteriorVertex ? EulerTerm(block.cells) : 0;
+  if (term != 0)
+  {
+    m_Sums[static_cast<std::size_t>(vertex)].fetch_add(term, std::memory_order_relaxed);
+  }
+}
+
+std::vector<std::int32_t>
+EulerGathering::GetCharacteristics() const
+{
+  return std::vector<std::int32_t>(m_Sums.begin(), m_Sums.end());
+}
 
 std::vector<std::int32_t>
 FindEulerCharacteristics(const LabelVolume & volume, VertexId numberOfVertices, const Execution & execution)
 {
-  const std::vector<VertexId>                   outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
-  std::vector<std::map<VertexId, std::int32_t>> ofPlane(static_cast<std::size_t>(volume.size[2]));
-  execution.For(ofPlane.size(), [&](std::size_t plane) {
-    ofPlane[plane] = EulerTermsOfPlane(volume, outside, static_cast<std::int32_t>(plane));
-  });
-  std::vector<std::int32_t> characteristics(static_cast<std::size_t>(numberOfVertices), 0);
-  for (const auto & terms : ofPlane)
-  {
-    for (const auto & [vertex, term] : terms)
-    {
-      characteristics[static_cast<std::size_t>(vertex)] += term;
-    }
-  }
-  return characteristics;
+  EulerGathering gathering(numberOfVertices);
+  VisitVariedBlocks(
+    volume, [&](std::size_t, const CrowdedBlock & block) { gathering.Add(block); }, execution);
+  return gathering.GetCharacteristics();
 }
 
 HandleCuts
-CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics)
+CutHandles(LabelVolume & volume, std::vector<std::int32_t> characteristics, std::vector<VoxelBox> boxes)
 {
-  Cutting cutting(volume, std::move(characteristics));
+  Cutting cutting(volume, std::move(characteristics), std::move(boxes));
   for (int pass = 0; pass < MaximumNumberOfPasses; ++pass)
   {
     const std::vector<std::int32_t> ofPass = cutting.GetCharacteristics();

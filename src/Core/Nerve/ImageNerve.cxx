@@ -7,6 +7,7 @@
 #include "Nerve/ImageNerve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
 namespace tissue
@@ -141,16 +142,16 @@ private:
   int                 m_Exit;
 };
 
-/** The other end of a line that leaves a corner. */
+/** The other end of a line that leaves a corner: the corner, and the vertex of its simplex that the line has not. */
 struct LineEnd
 {
   std::int32_t corner = 0;
-  VertexId     fourth = 0;
+  std::int32_t vertex = 0;
 };
 
 /** A walk to the other end; the path is each place that it comes through. */
 LineEnd
-FollowLine(const std::vector<Corner> & corners, LineWalk walk, std::vector<LineWalk> & path)
+FollowLine(const LabelVolume & volume, const std::vector<Corner> & corners, LineWalk walk, std::vector<LineWalk> & path)
 {
   do
   {
@@ -159,7 +160,9 @@ FollowLine(const std::vector<Corner> & corners, LineWalk walk, std::vector<LineW
   const Corner end{ walk.GetSimplex().GetKey() };
   const auto   at = std::lower_bound(
     corners.begin(), corners.end(), end, [](const Corner & a, const Corner & b) { return a.Rank() < b.Rank(); });
-  return { static_cast<std::int32_t>(at - corners.begin()), walk.GetFourthLabel() };
+  const Labels labels = LabelsOf(volume, at->GetSimplex());
+  return { static_cast<std::int32_t>(at - corners.begin()),
+           static_cast<std::int32_t>(std::find(labels.begin(), labels.end(), walk.GetFourthLabel()) - labels.begin()) };
 }
 
 ImageLine
@@ -214,20 +217,21 @@ void
 GlueLines(const LabelVolume & volume, const std::vector<Corner> & corners, const std::vector<LineEnd> & ends,
           GeneralComplex & complex)
 {
+  const auto sideOf = [&](std::size_t corner, int vertex) {
+    const auto id = static_cast<TetrahedronId>(corner);
+    return Side{
+      id, LocalIndex(complex.GetTetrahedron(id).vertices, LabelsOf(volume, corners[corner].GetSimplex())[vertex])
+    };
+  };
   LineId line = 0;
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
-    const Labels labels = LabelsOf(volume, corners[c].GetSimplex());
     for (int i = 0; i < 4; ++i)
     {
       const LineEnd & end = ends[4 * c + i];
       if (static_cast<std::size_t>(end.corner) > c)
       {
-        const auto & t = complex.GetTetrahedron(static_cast<TetrahedronId>(c)).vertices;
-        const auto & other = complex.GetTetrahedron(end.corner).vertices;
-        complex.Glue({ static_cast<TetrahedronId>(c), LocalIndex(t, labels[i]) },
-                     { end.corner, LocalIndex(other, end.fourth) },
-                     line++);
+        complex.Glue(sideOf(c, i), sideOf(static_cast<std::size_t>(end.corner), end.vertex), line++);
       }
     }
   }
@@ -243,13 +247,17 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
 {
   const std::vector<Corner> corners = FindCorners(blocks);
   ImageNerve                nerve{ GeneralComplex(numberOfVertices), {}, {} };
+  nerve.complex.Reserve(corners.size());
+  nerve.corners.reserve(corners.size());
   for (const Corner & corner : corners)
   {
     AddCorner(volume, corner, nerve);
   }
-  // Each line is followed from both of its ends, so that the corners can be shared out; the first one measures it.
-  std::vector<LineEnd>                ends(4 * corners.size());
-  std::vector<std::vector<ImageLine>> lines((corners.size() + ChunkSize - 1) / ChunkSize);
+  // Each line is followed and measured from its first end. Tasks know of the line only when another one has followed
+  // it: where it has not, they follow it for nothing.
+  std::vector<LineEnd>                   ends(4 * corners.size());
+  std::vector<std::atomic<std::uint8_t>> isSecondEnd(ends.size());
+  std::vector<std::vector<ImageLine>>    lines((corners.size() + ChunkSize - 1) / ChunkSize);
   execution.For(lines.size(), [&](std::size_t chunk) {
     std::vector<LineWalk> path;
     for (std::size_t c = chunk * ChunkSize; c < std::min(corners.size(), (chunk + 1) * ChunkSize); ++c)
@@ -257,19 +265,27 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
       const KuhnSimplex simplex = corners[c].GetSimplex();
       for (int i = 0; i < 4; ++i)
       {
-        path.clear();
-        ends[4 * c + i] = FollowLine(corners, LineWalk(volume, simplex, i), path);
-        if (static_cast<std::size_t>(ends[4 * c + i].corner) > c)
+        if (isSecondEnd[4 * c + i].load(std::memory_order_relaxed) != 0)
         {
+          continue;
+        }
+        path.clear();
+        const LineEnd end = FollowLine(volume, corners, LineWalk(volume, simplex, i), path);
+        if (static_cast<std::size_t>(end.corner) > c)
+        {
+          ends[4 * c + i] = end;
+          isSecondEnd[4 * static_cast<std::size_t>(end.corner) + end.vertex].store(1, std::memory_order_relaxed);
           lines[chunk].push_back(MeasureLine(volume, path));
         }
       }
     }
   });
   GlueLines(volume, corners, ends, nerve.complex);
-  for (const std::vector<ImageLine> & ofChunk : lines)
+  nerve.lines.reserve(2 * corners.size());
+  for (std::vector<ImageLine> & ofChunk : lines)
   {
     nerve.lines.insert(nerve.lines.end(), ofChunk.begin(), ofChunk.end());
+    ofChunk = std::vector<ImageLine>();
   }
   return nerve;
 }

@@ -6,8 +6,8 @@
  *=========================================================================*/
 #include "Nerve/ImageTopology.h"
 
-#include "Nerve/HandleCutting.h"
 #include "Nerve/VertexLinks.h"
+#include "Nerve/WallPart.h"
 
 #include <algorithm>
 #include <numeric>
@@ -74,11 +74,14 @@ public:
       m_Topology.volume = m_Volume;
       Relabel(m_Topology.volume, m_Topology.fragments.ofLarge);
     }
-    m_Blocks = FindCrowdedBlocks(this->GetImage(), m_Execution);
-    m_Topology.places = { FindImageWalls(this->GetImage(), m_Execution), FindCornerPlaces(this->GetImage(), m_Blocks) };
+    auto characteristics = this->FindPlaces();
     m_Execution.Report(0.4);
-    this->TakeSmallFragments();
-    this->TakeHandles();
+    if (!m_Topology.fragments.ofSmall.empty())
+    {
+      this->TakeSmallFragments();
+      characteristics = FindEulerCharacteristics(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Execution);
+    }
+    this->TakeHandles(std::move(characteristics));
     UpdateCrowdedBlocks(this->GetImage(), m_Changes, m_Blocks);
     m_Topology.nerve = MakeImageNerve(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Blocks, m_Execution);
     m_Execution.Report(0.6);
@@ -109,6 +112,25 @@ private:
     return m_Topology.volume.vertices.empty() ? m_Volume : m_Topology.volume;
   }
 
+  /** The walls, the crowded blocks and the corners; returns the Euler characteristics. */
+  std::vector<std::int32_t>
+  FindPlaces()
+  {
+    const LabelVolume &   image = this->GetImage();
+    CrowdedBlockGathering crowded(image);
+    EulerGathering        characteristics(m_Topology.fragments.numberOfVertices);
+    m_Topology.places.walls = FindImageWalls(
+      image,
+      [&](std::size_t slab, const CrowdedBlock & block) {
+        crowded.Add(slab, block);
+        characteristics.Add(block);
+      },
+      m_Execution);
+    m_Blocks = crowded.TakeBlocks();
+    m_Topology.places.corners = FindCornerPlaces(image, m_Blocks);
+    return characteristics.GetCharacteristics();
+  }
+
   void
   TakeSmallFragments()
   {
@@ -127,11 +149,10 @@ private:
     Relabel(m_Topology.volume, m_Topology.fragments.ofSmall);
   }
 
+  /** \param characteristics of the image as it is by now. */
   void
-  TakeHandles()
+  TakeHandles(std::vector<std::int32_t> characteristics)
   {
-    auto characteristics =
-      FindEulerCharacteristics(this->GetImage(), m_Topology.fragments.numberOfVertices, m_Execution);
     if (std::all_of(characteristics.begin() + 1, characteristics.end(), [](std::int32_t c) { return c == 1; }))
     {
       return;
@@ -140,7 +161,7 @@ private:
     {
       m_Topology.volume = m_Volume;
     }
-    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics));
+    HandleCuts cuts = CutHandles(m_Topology.volume, std::move(characteristics), m_Topology.fragments.boxes);
     m_Topology.handles = std::move(cuts.cells);
     m_Changes.insert(m_Changes.end(), cuts.changes.begin(), cuts.changes.end());
   }

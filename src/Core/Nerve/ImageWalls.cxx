@@ -4,6 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
+#include "Nerve/PlaneScan.h"
 #include "Nerve/WallPart.h"
 #include "TissueTessellationCore/Common/DisjointSets.h"
 
@@ -17,8 +18,9 @@ namespace tissue
 {
 namespace
 {
+/** Index of the part of a wall that a face belongs to; the first part is that of no faces. */
 using FaceId = std::int32_t;
-constexpr FaceId None = -1;
+constexpr FaceId None = 0;
 
 /** The voxels at the sides of a face, by twice its centre: one coordinate is odd. */
 std::array<VoxelIndex, 2>
@@ -41,38 +43,65 @@ AreEqual(const VertexPair & a, const VertexPair & b)
   return a[0] == b[0] && a[1] == b[1];
 }
 
-/** A plane of voxels with a border of one voxel of exterior. */
-struct LabelPlane
-{
-  std::int32_t          width;
-  std::int32_t          height;
-  std::vector<VertexId> labels;
-};
-
-LabelPlane
-ReadPlane(const LabelVolume & volume, std::int32_t z)
-{
-  LabelPlane plane{ volume.size[0] + 2, volume.size[1] + 2, {} };
-  plane.labels.assign(static_cast<std::size_t>(plane.width) * plane.height, ExteriorVertex);
-  for (std::int32_t y = 0; z >= 0 && z < volume.size[2] && y < volume.size[1]; ++y)
-  {
-    const auto row = volume.vertices.begin() + (static_cast<std::ptrdiff_t>(z) * volume.size[1] + y) * volume.size[0];
-    std::copy(row, row + volume.size[0], plane.labels.begin() + (y + 1) * static_cast<std::ptrdiff_t>(plane.width) + 1);
-  }
-  return plane;
-}
-
 /** The parts that the faces at the upper sides of a voxel belong to, by axis. */
 using FacesOfVoxel = std::array<FaceId, 3>;
 constexpr FacesOfVoxel NoFaces{ { None, None, None } };
-/** Of all voxels of a plane. */
-using PlaneFaces = std::vector<FacesOfVoxel>;
 
-/** The faces of those voxels of a plane that have some. */
+/** The faces of a voxel of a plane that has some. */
 struct VoxelFaces
 {
   std::uint32_t voxel;
   FacesOfVoxel  faces;
+};
+
+/** Ascending by the voxels: all others have no faces. */
+using PlaneFaces = std::vector<VoxelFaces>;
+
+FacesOfVoxel
+FacesAt(const PlaneFaces & plane, std::size_t voxel)
+{
+  const auto at = std::lower_bound(
+    plane.begin(), plane.end(), voxel, [](const VoxelFaces & f, std::size_t wanted) { return f.voxel < wanted; });
+  return at != plane.end() && at->voxel == voxel ? at->faces : NoFaces;
+}
+
+/** The faces of all voxels of a row, to be found by their places in it. */
+class FaceRow
+{
+public:
+  explicit FaceRow(std::size_t width)
+    : m_Faces(width, NoFaces)
+    , m_Taken(width)
+  {}
+
+  const FacesOfVoxel &
+  operator[](std::size_t x) const
+  {
+    return m_Faces[x];
+  }
+
+  /** For a change of a voxel that has had none. */
+  FacesOfVoxel &
+  Append(std::size_t x)
+  {
+    m_Taken[m_Count++] = static_cast<std::uint32_t>(x);
+    return m_Faces[x];
+  }
+
+  void
+  Clear()
+  {
+    for (std::size_t i = 0; i < m_Count; ++i)
+    {
+      m_Faces[m_Taken[i]] = NoFaces;
+    }
+    m_Count = 0;
+  }
+
+private:
+  std::vector<FacesOfVoxel>  m_Faces;
+  std::vector<std::uint32_t> m_Taken;
+  std::size_t                m_Count = 0;
 };
 
 /** Faces around the edges of another one. */
@@ -82,315 +111,331 @@ using FacesAround = std::array<FaceId, 6>;
  * next slabs go on.
  *
  * Each face is joined to those around its edges that come before it, which are six for each axis: every two faces
- * around a voxel edge are met when the later one comes. */
+ * around a voxel edge are met when the later one comes. They are in the same row, in the row before, and in two rows of
+ * the plane below: these are at hand, planes are kept as lists. */
 class WallScan
 {
 public:
-  WallScan(const LabelVolume & volume, std::int32_t begin, std::int32_t end)
-    : m_Plane(ReadPlane(volume, begin))
+  /** \param visitBlock is called with the blocks of the slab in which there is something to know. */
+  template <typename TVisitBlock>
+  WallScan(const LabelVolume & volume, const Slab & slab, const TVisitBlock & visitBlock)
+    : m_Width(static_cast<std::size_t>(volume.size[0]) + 2)
+    , m_Row(m_Width)
+    , m_RowBefore(m_Width)
+    , m_RowBelow(m_Width)
+    , m_RowBelowNext(m_Width)
   {
-    m_Below.assign(m_Plane.labels.size(), NoFaces);
-    m_Last = m_Below;
-    for (std::int32_t z = begin; z < end; ++z)
+    this->AddPart({ { ExteriorVertex, ExteriorVertex } }, { { 0, 0, 0 } });
+    PlaneScan scan(volume, slab.begin);
+    for (std::int32_t z = slab.begin; z < slab.end; ++z)
     {
-      LabelPlane next = ReadPlane(volume, z + 1);
-      std::swap(m_Below, m_Last);
-      this->ClearLast();
-      this->FindFaces(next, z);
-      if (z == begin)
+      if (z > slab.begin)
       {
-        m_First = this->ListLast();
+        scan.Advance();
       }
-      m_Plane = std::move(next);
+      this->BeginPlane();
+      scan.Visit([&](std::size_t p, const VoxelIndex & voxel) { this->AddFacesOfVoxel(scan, p, voxel); }, visitBlock);
+      if (z == slab.begin)
+      {
+        m_First = m_Plane;
+      }
     }
-    m_LastList = this->ListLast();
-    // Scans are kept until all are done: without their planes.
-    m_Plane = {};
     m_Below = PlaneFaces();
-    m_Last = PlaneFaces();
+    this->KeepWholeParts();
   }
 
-  /** Faces around the lower edges of a face of a plane that are below the plane. */
-  static std::array<FaceId, 3>
-  Under(const PlaneFaces & below, int axis, std::size_t p, std::size_t width)
-  {
-    return { { below[p][axis], below[p][2], below[p + (axis == 0 ? 1 : width)][2] } };
-  }
-
+  /** What hangs together within the slab is one part. */
   const std::vector<WallPart> &
   GetParts() const
   {
     return m_Parts;
   }
-  DisjointSets &
-  GetSets()
-  {
-    return m_Sets;
-  }
-  const std::vector<VoxelFaces> &
+  const PlaneFaces &
   GetFirst() const
   {
     return m_First;
   }
-  const std::vector<VoxelFaces> &
+  const PlaneFaces &
   GetLast() const
   {
-    return m_LastList;
+    return m_Plane;
   }
 
 private:
-  /** Most faces need no new part: they get that of one around them that is of the same cells. */
+  void
+  BeginPlane()
+  {
+    m_Below.swap(m_Plane);
+    m_Plane.clear();
+    m_NextBelow = 0;
+    m_Y = -1;
+    for (FaceRow * row : { &m_Row, &m_RowBefore, &m_RowBelow, &m_RowBelowNext })
+    {
+      row->Clear();
+    }
+    this->ReadRowBelow(0);
+  }
+
+  /** Becomes that of the next row, and of those below it. */
+  void
+  GoToRow(std::int32_t y)
+  {
+    for (; m_Y < y; ++m_Y)
+    {
+      std::swap(m_Row, m_RowBefore);
+      m_Row.Clear();
+      std::swap(m_RowBelow, m_RowBelowNext);
+      m_RowBelowNext.Clear();
+      this->ReadRowBelow(static_cast<std::size_t>(m_Y + 2));
+    }
+  }
+
+  /** The next row of the plane below. */
+  void
+  ReadRowBelow(std::size_t y)
+  {
+    for (; m_NextBelow < m_Below.size() && m_Below[m_NextBelow].voxel < (y + 1) * m_Width; ++m_NextBelow)
+    {
+      m_RowBelowNext.Append(m_Below[m_NextBelow].voxel - y * m_Width) = m_Below[m_NextBelow].faces;
+    }
+  }
+
+  /** Most faces need no new part: they get that of one around them that is of the same cells. Without branches for
+   * each of these, which nothing would foretell. */
   FaceId
   AddFace(VertexId a, VertexId b, const FacesAround & around, const std::array<std::int64_t, 3> & center)
   {
-    const VertexPair cells{ { std::min(a, b), std::max(a, b) } };
-    FaceId           face = None;
+    const VertexPair   cells{ { std::min(a, b), std::max(a, b) } };
+    const std::int64_t key = KeyOf(cells);
+    FaceId             face = None;
+    for (std::size_t i = around.size(); i-- > 0;)
+    {
+      face = m_KeyOf[static_cast<std::size_t>(around[i])] == key ? around[i] : face;
+    }
+    if (face == None)
+    {
+      face = static_cast<FaceId>(m_Parts.size());
+      this->AddPart(cells, center);
+    }
+    FaceId differences = 0;
     for (const FaceId other : around)
     {
-      if (other == None || other == face || !AreEqual(m_Parts[other].cells, cells))
-      {
-        continue;
-      }
-      if (face == None)
-      {
-        face = other;
-      }
-      else
+      differences |= m_KeyOf[static_cast<std::size_t>(other)] == key ? other ^ face : 0;
+    }
+    if (differences != 0)
+    {
+      this->Join(face, around);
+    }
+    m_Parts[static_cast<std::size_t>(face)].AddFace(center);
+    return face;
+  }
+
+  void
+  Join(FaceId face, const FacesAround & around)
+  {
+    for (const FaceId other : around)
+    {
+      if (m_KeyOf[static_cast<std::size_t>(other)] == m_KeyOf[static_cast<std::size_t>(face)])
       {
         m_Sets.Unite(face, other);
       }
     }
-    if (face == None)
-    {
-      face = static_cast<FaceId>(m_Sets.Add());
-      m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, center });
-    }
-    m_Parts[face].AddFace(center);
-    return face;
-  }
-
-  /** Whether voxels of a plane have no faces at their upper sides, as nearly everywhere. */
-  bool
-  HaveNoFaces(const LabelPlane & next, std::size_t begin, std::size_t end) const
-  {
-    const VertexId * labels = m_Plane.labels.data();
-    const VertexId * behind = labels + m_Plane.width;
-    const VertexId * above = next.labels.data();
-    VertexId         differences = 0;
-    for (std::size_t p = begin; p < end; ++p)
-    {
-      differences |= (labels[p] ^ labels[p + 1]) | (labels[p] ^ behind[p]) | (labels[p] ^ above[p]);
-    }
-    return differences == 0;
   }
 
   void
-  FindFaces(const LabelPlane & next, std::int32_t z)
+  AddPart(const VertexPair & cells, const std::array<std::int64_t, 3> & firstCenter)
   {
-    constexpr std::int32_t stretch = 16;
-    const auto             width = static_cast<std::size_t>(m_Plane.width);
-    for (std::int32_t y = 0; y + 1 < m_Plane.height; ++y)
-    {
-      const std::size_t row = static_cast<std::size_t>(y) * width;
-      for (std::int32_t begin = 0; begin + 1 < m_Plane.width; begin += stretch)
-      {
-        const std::int32_t end = std::min(begin + stretch, m_Plane.width - 1);
-        if (!this->HaveNoFaces(next, row + static_cast<std::size_t>(begin), row + static_cast<std::size_t>(end)))
-        {
-          for (std::int32_t x = begin; x < end; ++x)
-          {
-            this->AddFacesOfVoxel(next, row + static_cast<std::size_t>(x), { { 2 * (x - 1), 2 * (y - 1), 2 * z } });
-          }
-        }
-      }
-    }
+    m_Sets.Add();
+    m_KeyOf.push_back(KeyOf(cells));
+    m_Parts.push_back({ cells, 0, { { 0, 0, 0 } }, firstCenter });
+  }
+
+  static std::int64_t
+  KeyOf(const VertexPair & cells)
+  {
+    return std::int64_t{ cells[0] } << 32 | cells[1];
   }
 
   /** The faces at the upper sides of a voxel. Those before it exist in any case where it has one: the border of a plane
    * has none at its lower sides. */
   void
-  AddFacesOfVoxel(const LabelPlane & next, std::size_t p, const std::array<std::int64_t, 3> & twice)
+  AddFacesOfVoxel(const PlaneScan & scan, std::size_t p, const VoxelIndex & voxel)
   {
-    const std::size_t             width = static_cast<std::size_t>(m_Plane.width);
-    const std::array<VertexId, 4> labels{
-      { m_Plane.labels[p], m_Plane.labels[p + 1], m_Plane.labels[p + width], next.labels[p] }
-    };
-    if (labels[1] == labels[0] && labels[2] == labels[0] && labels[3] == labels[0])
-    {
-      return;
-    }
-    const auto & last = m_Last;
-    m_Touched.push_back(p);
+    this->GoToRow(voxel[1] + 1);
+    const auto                        x = static_cast<std::size_t>(voxel[0] + 1);
+    const std::array<VertexId, 4>     labels = scan.CellsAt(p);
+    const std::array<std::int64_t, 3> twice{ { 2 * voxel[0], 2 * voxel[1], 2 * voxel[2] } };
+    const FaceRow &                   row = m_Row;
+    const FaceRow &                   before = m_RowBefore;
+    const FacesOfVoxel &              below = m_RowBelow[x];
+    FacesOfVoxel &                    faces = m_Row.Append(x);
     if (labels[1] != labels[0])
     {
-      const auto under = Under(m_Below, 0, p, width);
-      m_Last[p][0] = this->AddFace(
-        labels[0],
-        labels[1],
-        { { last[p - width][0], last[p - width][1], last[p - width + 1][1], under[0], under[1], under[2] } },
-        { { twice[0] + 1, twice[1], twice[2] } });
+      faces[0] =
+        this->AddFace(labels[0],
+                      labels[1],
+                      { { before[x][0], before[x][1], before[x + 1][1], below[0], below[2], m_RowBelow[x + 1][2] } },
+                      { { twice[0] + 1, twice[1], twice[2] } });
     }
     if (labels[2] != labels[0])
     {
-      const auto under = Under(m_Below, 1, p, width);
-      m_Last[p][1] = this->AddFace(labels[0],
-                                   labels[2],
-                                   { { last[p - 1][1], last[p - 1][0], last[p][0], under[0], under[1], under[2] } },
-                                   { { twice[0], twice[1] + 1, twice[2] } });
+      faces[1] = this->AddFace(labels[0],
+                               labels[2],
+                               { { row[x - 1][1], row[x - 1][0], faces[0], below[1], below[2], m_RowBelowNext[x][2] } },
+                               { { twice[0], twice[1] + 1, twice[2] } });
     }
     if (labels[3] != labels[0])
     {
-      m_Last[p][2] = this->AddFace(
-        labels[0],
-        labels[3],
-        { { last[p - 1][2], last[p - width][2], last[p][0], last[p][1], last[p - 1][0], last[p - width][1] } },
-        { { twice[0], twice[1], twice[2] + 1 } });
+      faces[2] = this->AddFace(labels[0],
+                               labels[3],
+                               { { row[x - 1][2], before[x][2], faces[0], faces[1], row[x - 1][0], before[x][1] } },
+                               { { twice[0], twice[1], twice[2] + 1 } });
     }
+    m_Plane.push_back({ static_cast<std::uint32_t>(p), faces });
   }
 
-  std::vector<VoxelFaces>
-  ListLast() const
-  {
-    std::vector<VoxelFaces> list;
-    list.reserve(m_Touched.size());
-    for (const std::size_t p : m_Touched)
-    {
-      list.push_back({ static_cast<std::uint32_t>(p), m_Last[p] });
-    }
-    return list;
-  }
-
-  /** Takes out the faces of the plane before the one below, whose memory is used again. */
+  /** Makes one part of those that were joined, so that little is kept of many slabs. */
   void
-  ClearLast()
+  KeepWholeParts()
   {
-    for (const std::size_t p : m_TouchedBelow)
+    std::vector<FaceId>   rank(m_Parts.size(), None);
+    std::vector<WallPart> whole;
+    for (std::size_t i = 0; i < m_Parts.size(); ++i)
     {
-      m_Last[p] = NoFaces;
+      // A set's least part comes first, and is of the first face.
+      const auto root = static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)));
+      if (root == i)
+      {
+        rank[i] = static_cast<FaceId>(whole.size());
+        whole.push_back(m_Parts[i]);
+      }
+      else
+      {
+        rank[i] = rank[root];
+        whole[static_cast<std::size_t>(rank[i])].AddFaces(m_Parts[i]);
+      }
     }
-    m_TouchedBelow.swap(m_Touched);
-    m_Touched.clear();
+    for (PlaneFaces * plane : { &m_First, &m_Plane })
+    {
+      for (VoxelFaces & voxel : *plane)
+      {
+        for (FaceId & face : voxel.faces)
+        {
+          face = rank[static_cast<std::size_t>(face)];
+        }
+      }
+      plane->shrink_to_fit();
+    }
+    m_Parts.swap(whole);
+    m_KeyOf = std::vector<std::int64_t>();
+    m_Sets = DisjointSets();
   }
 
-  LabelPlane               m_Plane;
-  std::vector<VoxelFaces>  m_First;
-  std::vector<VoxelFaces>  m_LastList;
-  PlaneFaces               m_Below;
-  PlaneFaces               m_Last;
-  std::vector<std::size_t> m_Touched;
-  std::vector<std::size_t> m_TouchedBelow;
-  std::vector<WallPart>    m_Parts;
-  DisjointSets             m_Sets;
+  std::size_t  m_Width;
+  std::int32_t m_Y = 0;
+  FaceRow      m_Row;
+  FaceRow      m_RowBefore;
+  FaceRow      m_RowBelow;
+  FaceRow      m_RowBelowNext;
+  PlaneFaces   m_First;
+  PlaneFaces   m_Plane;
+  PlaneFaces   m_Below;
+  /** The first one below that is not yet in a row. */
+  std::size_t           m_NextBelow = 0;
+  std::vector<WallPart> m_Parts;
+  /** The cells of the parts: every face asks for those of the faces around it. */
+  std::vector<std::int64_t> m_KeyOf;
+  DisjointSets              m_Sets;
 };
 
 /** The parts of the slabs so far, and what is joined of them. */
 class WallJoin
 {
 public:
-  /** \param planeSize voxels of a plane with its border. */
-  explicit WallJoin(std::size_t planeSize)
-    : m_Below(planeSize, NoFaces)
+  /** \param width of a row with its border. */
+  explicit WallJoin(std::size_t width)
+    : m_Width(width)
   {}
 
+  /** Appends the parts of the slab above the last one, and joins what goes on there. */
   void
-  Append(WallScan & scan)
+  Append(const WallScan & scan)
   {
+    const std::size_t lowerOffset = m_Offset;
     m_Offset = m_Parts.size();
     m_Parts.insert(m_Parts.end(), scan.GetParts().begin(), scan.GetParts().end());
-    for (std::size_t k = 0; k < scan.GetParts().size(); ++k)
+    while (m_Sets.GetSize() < m_Parts.size())
     {
       m_Sets.Add();
-      m_Sets.Unite(this->Index(k), this->Index(static_cast<std::size_t>(scan.GetSets().Find(static_cast<FaceId>(k)))));
     }
-  }
-
-  /** Joins the first plane of the slab that was appended last to the last one of that before, whose parts begin at
-   * lowerOffset. */
-  void
-  JoinSlabs(const std::vector<VoxelFaces> & below, const std::vector<VoxelFaces> & first, std::size_t lowerOffset,
-            std::size_t width)
-  {
-    for (const VoxelFaces & voxel : below)
-    {
-      m_Below[voxel.voxel] = voxel.faces;
-    }
-    for (const VoxelFaces & voxel : first)
+    for (const VoxelFaces & voxel : scan.GetFirst())
     {
       for (int axis = 0; axis < 2; ++axis)
       {
-        this->JoinFace(voxel.faces[axis], WallScan::Under(m_Below, axis, voxel.voxel, width), lowerOffset);
+        this->JoinFace(voxel, axis, lowerOffset);
       }
     }
-    for (const VoxelFaces & voxel : below)
-    {
-      m_Below[voxel.voxel] = NoFaces;
-    }
-  }
-
-  std::size_t
-  GetOffset() const
-  {
-    return m_Offset;
+    m_Below = scan.GetLast();
   }
 
   std::vector<ImageWall>
-  GatherWalls(const LabelVolume & volume);
+  TakeWalls(const LabelVolume & volume);
 
 private:
+  /** Joins a face to those around its lower edges that are below the plane. */
   void
-  JoinFace(FaceId face, const std::array<FaceId, 3> & facesUnder, std::size_t lowerOffset)
+  JoinFace(const VoxelFaces & voxel, int axis, std::size_t lowerOffset)
   {
-    for (const FaceId under : facesUnder)
+    if (voxel.faces[axis] == None)
     {
-      if (face != None && under != None)
+      return;
+    }
+    const std::size_t  upper = m_Offset + static_cast<std::size_t>(voxel.faces[axis]);
+    const FacesOfVoxel below = FacesAt(m_Below, voxel.voxel);
+    const FacesOfVoxel beside = FacesAt(m_Below, voxel.voxel + (axis == 0 ? 1 : m_Width));
+    for (const FaceId under : { below[axis], below[2], beside[2] })
+    {
+      const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
+      if (under != None && AreEqual(m_Parts[upper].cells, m_Parts[lower].cells))
       {
-        const std::size_t upper = m_Offset + static_cast<std::size_t>(face);
-        const std::size_t lower = lowerOffset + static_cast<std::size_t>(under);
-        if (AreEqual(m_Parts[upper].cells, m_Parts[lower].cells))
-        {
-          m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
-        }
+        m_Sets.Unite(static_cast<std::int64_t>(upper), static_cast<std::int64_t>(lower));
       }
     }
   }
 
-  std::int64_t
-  Index(std::size_t part) const
-  {
-    return static_cast<std::int64_t>(m_Offset + part);
-  }
-
+  std::size_t           m_Width;
   std::vector<WallPart> m_Parts;
   DisjointSets          m_Sets;
-  std::size_t           m_Offset = 0;
-  /** The faces of the plane below a slab that is being joined; else none. */
-  PlaneFaces m_Below;
+  /** Where the parts of the last slab begin, and the faces of its last plane. */
+  std::size_t m_Offset = 0;
+  PlaneFaces  m_Below;
 };
 
 std::vector<ImageWall>
-WallJoin::GatherWalls(const LabelVolume & volume)
+WallJoin::TakeWalls(const LabelVolume & volume)
 {
-  std::vector<WallPart> joined(m_Parts.size());
+  std::size_t count = 0;
   for (std::size_t i = 0; i < m_Parts.size(); ++i)
   {
-    WallPart & whole = joined[static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)))];
-    if (whole.numberOfFaces == 0)
+    // A set's least part comes first, and is of the first face.
+    const auto root = static_cast<std::size_t>(m_Sets.Find(static_cast<std::int64_t>(i)));
+    count += root == i ? 1 : 0;
+    if (root != i)
     {
-      // A set's least part comes first here, and is of the first face.
-      whole.cells = m_Parts[i].cells;
-      whole.first = m_Parts[i].first;
+      m_Parts[root].AddFaces(m_Parts[i]);
+      m_Parts[i].numberOfFaces = 0;
     }
-    whole.numberOfFaces += m_Parts[i].numberOfFaces;
-    std::transform(whole.sum.begin(), whole.sum.end(), m_Parts[i].sum.begin(), whole.sum.begin(), std::plus<>());
   }
   std::vector<ImageWall> walls;
-  for (const WallPart & part : joined)
+  walls.reserve(count);
+  for (const WallPart & part : m_Parts)
   {
     if (part.numberOfFaces > 0)
     {
       walls.push_back(ToImageWall(volume, part));
     }
   }
+  m_Parts = std::vector<WallPart>();
   std::sort(walls.begin(), walls.end(), ComesBefore);
   return walls;
 }
@@ -421,30 +466,29 @@ ComesBefore(const ImageWall & a, const ImageWall & b)
 std::vector<ImageWall>
 FindImageWalls(const LabelVolume & volume, const Execution & execution)
 {
-  // Planes of a slab: few slabs, as each keeps two planes of faces, and yet one for each of many threads.
-  constexpr std::int32_t  planesPerSlab = 32;
+  return FindImageWalls(
+    volume, [](std::size_t, const CrowdedBlock &) {}, execution);
+}
+
+std::vector<ImageWall>
+FindImageWalls(const LabelVolume & volume, const BlockVisitor & visit, const Execution & execution)
+{
   constexpr std::size_t   slabsAtOnce = 8;
-  const std::int32_t      planes = volume.size[2] + 1;
-  const auto              count = static_cast<std::size_t>((planes + planesPerSlab - 1) / planesPerSlab);
-  const std::size_t       width = static_cast<std::size_t>(volume.size[0]) + 2;
-  WallJoin                join(width * (static_cast<std::size_t>(volume.size[1]) + 2));
-  std::vector<VoxelFaces> below;
-  for (std::size_t first = 0; first < count; first += slabsAtOnce)
+  const std::vector<Slab> slabs = SlabsOf(volume);
+  WallJoin                join(static_cast<std::size_t>(volume.size[0]) + 2);
+  for (std::size_t first = 0; first < slabs.size(); first += slabsAtOnce)
   {
-    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, count - first));
+    std::vector<std::optional<WallScan>> scans(std::min(slabsAtOnce, slabs.size() - first));
     execution.For(scans.size(), [&](std::size_t i) {
-      const auto begin = static_cast<std::int32_t>(first + i) * planesPerSlab - 1;
-      scans[i].emplace(volume, begin, std::min(begin + planesPerSlab, volume.size[2]));
+      const std::size_t slab = first + i;
+      scans[i].emplace(volume, slabs[slab], [&](const CrowdedBlock & block) { visit(slab, block); });
     });
     for (auto & scan : scans)
     {
-      const std::size_t lowerOffset = join.GetOffset();
       join.Append(*scan);
-      join.JoinSlabs(below, scan->GetFirst(), lowerOffset, width);
-      below = scan->GetLast();
       scan.reset();
     }
   }
-  return join.GatherWalls(volume);
+  return join.TakeWalls(volume);
 }
 } // namespace tissue

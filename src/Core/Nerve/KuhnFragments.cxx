@@ -61,13 +61,16 @@ VisitContacts(TRow & row, const RunRow & before, std::int32_t reach, const TVisi
 class Pieces
 {
 public:
-  explicit Pieces(const LabelVolume & volume)
+  /** \param boxes get the voxels of all vertices. */
+  Pieces(const LabelVolume & volume, std::vector<VoxelBox> & boxes)
     : m_Volume(volume)
   {
-    this->Read([this](std::size_t, const RunRow & runs, const RunRow &, const RunRow &) {
+    this->Read([&](std::size_t row, const RunRow & runs, const RunRow &, const RunRow &) {
+      const VoxelIndex first = this->FirstOfRow(row);
       for (const LabelRun & run : runs)
       {
         m_Voxels[static_cast<std::size_t>(run.part)] += run.end - run.begin;
+        AddRun(run, first, boxes[static_cast<std::size_t>(run.vertex)]);
       }
     });
     for (std::size_t part = 0; part < m_Voxels.size(); ++part)
@@ -109,6 +112,21 @@ public:
     }
   }
 
+  VoxelIndex
+  FirstOfRow(std::size_t row) const
+  {
+    const auto rows = static_cast<std::size_t>(m_Volume.size[1]);
+    return { { 0, static_cast<std::int32_t>(row % rows), static_cast<std::int32_t>(row / rows) } };
+  }
+
+  /** \param first voxel of the row. */
+  static void
+  AddRun(const LabelRun & run, const VoxelIndex & first, VoxelBox & box)
+  {
+    box.Add({ { run.begin, first[1], first[2] } });
+    box.Add({ { run.end - 1, first[1], first[2] } });
+  }
+
   PartId
   NumberOfParts() const
   {
@@ -136,18 +154,20 @@ private:
   void
   FindRuns(std::size_t row, RunRow & runs) const
   {
-    const VertexId * const labels = m_Volume.vertices.data() + row * static_cast<std::size_t>(m_Volume.size[0]);
     runs.clear();
-    for (std::int32_t begin = 0; begin < m_Volume.size[0];)
-    {
-      std::int32_t end = begin + 1;
-      while (end < m_Volume.size[0] && labels[end] == labels[begin])
+    m_Volume.vertices.Visit([&](const auto * first) {
+      const auto * const labels = first + row * static_cast<std::size_t>(m_Volume.size[0]);
+      for (std::int32_t begin = 0; begin < m_Volume.size[0];)
       {
-        ++end;
+        std::int32_t end = begin + 1;
+        while (end < m_Volume.size[0] && labels[end] == labels[begin])
+        {
+          ++end;
+        }
+        runs.push_back({ labels[begin], begin, end, None });
+        begin = end;
       }
-      runs.push_back({ labels[begin], begin, end, None });
-      begin = end;
-    }
+    });
   }
 
   void
@@ -216,7 +236,8 @@ public:
     : m_Size(volume.size[0])
     , m_NumberOfVertices(numberOfVertices)
     , m_MinimumVoxels(minimumVoxels)
-    , m_Pieces(volume)
+    , m_Boxes(static_cast<std::size_t>(numberOfVertices))
+    , m_Pieces(volume, m_Boxes)
     , m_Largest(FindLargest(m_Pieces, numberOfVertices))
   {}
 
@@ -239,6 +260,7 @@ public:
     }
     if (!isAny)
     {
+      result.boxes = std::move(m_Boxes);
       return result;
     }
     const std::map<PartId, VertexId> large = m_Vertex;
@@ -249,7 +271,9 @@ public:
       result.fragments.push_back(
         { m_Pieces.VertexOf(piece), m_Pieces.VoxelsOf(piece), vertex, large.count(piece) != 0 });
     }
+    m_Boxes.resize(static_cast<std::size_t>(result.numberOfVertices));
     this->AppendRanges(large, result);
+    result.boxes = std::move(m_Boxes);
     return result;
   }
 
@@ -337,17 +361,19 @@ private:
           auto & ranges = large.count(at->first) != 0 ? result.ofLarge : result.ofSmall;
           ranges.push_back(
             { first + static_cast<std::size_t>(run.begin), first + static_cast<std::size_t>(run.end), at->second });
+          Pieces::AddRun(run, m_Pieces.FirstOfRow(row), m_Boxes[static_cast<std::size_t>(at->second)]);
         }
       }
     });
   }
 
-  std::int32_t        m_Size;
-  VertexId            m_NumberOfVertices;
-  std::int64_t        m_MinimumVoxels;
-  Pieces              m_Pieces;
-  std::vector<PartId> m_Largest;
-  Contacts            m_Contacts;
+  std::int32_t          m_Size;
+  VertexId              m_NumberOfVertices;
+  std::int64_t          m_MinimumVoxels;
+  std::vector<VoxelBox> m_Boxes;
+  Pieces                m_Pieces;
+  std::vector<PartId>   m_Largest;
+  Contacts              m_Contacts;
   /** The vertex of each fragment, large or small. */
   std::map<PartId, VertexId> m_Vertex;
 };
@@ -364,9 +390,7 @@ Relabel(LabelVolume & volume, const std::vector<VoxelRange> & ranges)
 {
   for (const VoxelRange & range : ranges)
   {
-    std::fill(volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.begin),
-              volume.vertices.begin() + static_cast<std::ptrdiff_t>(range.end),
-              range.vertex);
+    volume.vertices.Fill(range.begin, range.end, range.vertex);
   }
 }
 } // namespace tissue

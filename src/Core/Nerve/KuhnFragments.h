@@ -7,7 +7,7 @@
 #ifndef TissueTessellationCore_KuhnFragments_h
 #define TissueTessellationCore_KuhnFragments_h
 
-#include "TissueTessellationCore/Image/LabelVolume.h"
+#include "Nerve/VoxelBox.h"
 
 #include <cstddef>
 #include <vector>
@@ -40,6 +40,8 @@ struct Fragments
   VertexId                numberOfVertices;
   std::vector<VoxelRange> ofLarge;
   std::vector<VoxelRange> ofSmall;
+  /** Of each vertex, around its voxels in the image and around those that it is to have. */
+  std::vector<VoxelBox> boxes;
 };
 
 /** \brief Finds what makes a cell several pieces in the Kuhn subdivision of the grid, in which it would have a split

@@ -66,15 +66,18 @@ Pad(const LabelVolume & volume)
   padded.origin = volume.ToPhysical({ { -1.0 * Padding, -1.0 * Padding, -1.0 * Padding } });
   std::transform(
     volume.size.begin(), volume.size.end(), padded.size.begin(), [](std::int32_t s) { return s + 2 * Padding; });
-  padded.vertices.assign(static_cast<std::size_t>(padded.size[0]) * padded.size[1] * padded.size[2], ExteriorVertex);
+  padded.vertices =
+    VoxelVertices(static_cast<std::size_t>(padded.size[0]) * padded.size[1] * padded.size[2], ExteriorVertex);
+  std::size_t from = 0;
   for (std::int32_t z = 0; z < volume.size[2]; ++z)
   {
     for (std::int32_t y = 0; y < volume.size[1]; ++y)
     {
-      const auto from =
-        volume.vertices.begin() + (static_cast<std::ptrdiff_t>(z) * volume.size[1] + y) * volume.size[0];
-      const auto to = (static_cast<std::ptrdiff_t>(z + Padding) * padded.size[1] + y + Padding) * padded.size[0];
-      std::copy(from, from + volume.size[0], padded.vertices.begin() + to + Padding);
+      const std::size_t to = OffsetOf(padded, { { Padding, y + Padding, z + Padding } });
+      for (std::int32_t x = 0; x < volume.size[0]; ++x)
+      {
+        padded.vertices.Put(to + static_cast<std::size_t>(x), volume.vertices[from++]);
+      }
     }
   }
   return padded;
@@ -477,9 +480,8 @@ private:
   void
   Put(const VoxelIndex & p, VertexId vertex)
   {
-    VertexId & current = m_Volume.vertices[OffsetOf(m_Volume, p)];
-    m_Changes.push_back({ p, current });
-    current = vertex;
+    m_Changes.push_back({ p, m_Volume.vertices[OffsetOf(m_Volume, p)] });
+    m_Volume.vertices.Put(OffsetOf(m_Volume, p), vertex);
   }
 
   LabelVolume &           m_Volume;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace tissue
@@ -32,6 +33,8 @@ enum class Admission
   /** Also those that cost nothing, where one beside them lowers the energy then: both are carried out. */
   Opening
 };
+
+using RingVertices = boost::container::small_vector<VertexId, 12>;
 
 class Descent
 {
@@ -86,17 +89,25 @@ private:
   bool
   Visit(TetrahedronId id)
   {
-    return this->TryAtTetrahedron(id, [&](const EdgeRing & ring) {
-      // An edge is seen by all tetrahedra around it; the last of them that is marked visits it.
-      return std::none_of(
-        ring.begin(), ring.end(), [&](const RingStep & step) { return m_IsMarked[step.tetrahedron]; });
-    });
+    // An edge is seen by all tetrahedra around it; the last of them that is marked visits it.
+    const auto & neighbors = m_Complex.GetTetrahedron(id).neighbors;
+    return this->TryAtTetrahedron(
+      id,
+      [&](int i, int j) {
+        const std::array<int, 2> others = EvenComplement(i, j);
+        return !m_IsMarked[neighbors[others[0]]] && !m_IsMarked[neighbors[others[1]]];
+      },
+      [&](const EdgeRing & ring) {
+        return std::none_of(
+          ring.begin(), ring.end(), [&](const RingStep & step) { return m_IsMarked[step.tetrahedron]; });
+      });
   }
 
-  /** Tries the moves of the triangles of a tetrahedron, and those of the edges whose rings are asked for. */
-  template <typename TIsAskedFor>
+  /** Tries the moves of the triangles of a tetrahedron, and those of the edges that may be asked for, by their local
+   * vertices, if their rings are. */
+  template <typename TMayBeAskedFor, typename TIsAskedFor>
   bool
-  TryAtTetrahedron(TetrahedronId id, const TIsAskedFor & isAskedFor)
+  TryAtTetrahedron(TetrahedronId id, const TMayBeAskedFor & mayBeAskedFor, const TIsAskedFor & isAskedFor)
   {
     for (int i = 0; i < 4; ++i)
     {
@@ -109,6 +120,10 @@ private:
     {
       for (int j = i + 1; j < 4; ++j)
       {
+        if (!mayBeAskedFor(i, j))
+        {
+          continue;
+        }
         const EdgeRing ring = m_Complex.GetRing({ id, i, j });
         if (isAskedFor(ring) && this->TryAtEdge({ id, i, j }, ring))
         {
@@ -164,14 +179,19 @@ private:
     {
       cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
     }
-    // At the best all diagonals and all tetrahedra over the ring are wanted, and a wanted one gains 1 at most.
+    // At the best all tetrahedra over the ring are wanted, and a wanted one gains 1; likewise its diagonals.
     const auto n = static_cast<double>(ring.size());
-    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) >= m_Limit)
+    if (cost - (n - 3.0) * m_Energy.GetWallWeight() - 2.0 * (n - 2.0) * LargestGain >= m_Limit)
     {
       return false;
     }
-    const RingTriangulation triangles = this->BestTriangulation(ring);
-    const auto              vertices = m_Complex.GetRingVertices(ring);
+    const auto          vertices = m_Complex.GetRingVertices(ring);
+    const DiagonalCosts ofDiagonal = this->CostsOfDiagonals(vertices);
+    if (cost + LeastOfDiagonals(ofDiagonal, ring.size()) - 2.0 * (n - 2.0) * LargestGain >= m_Limit)
+    {
+      return false;
+    }
+    const RingTriangulation triangles = this->BestTriangulation(ends, vertices, ofDiagonal);
     for (const auto & [i, j, k] : triangles)
     {
       cost += this->CostOfTriangle(ends, vertices, i, j, k);
@@ -188,45 +208,81 @@ private:
 
   /** What the two tetrahedra over a triangle of a ring cost, with the diagonal that is its longest side. */
   double
-  CostOfTriangle(VertexPair ends, const boost::container::small_vector<VertexId, 12> & ring, int i, int j, int k) const
+  CostOfTriangle(VertexPair ends, const RingVertices & ring, int i, int j, int k) const
   {
     const bool isDiagonal = k - i < static_cast<int>(ring.size()) - 1;
     return (isDiagonal ? m_Energy.CostOfEdge(ring[i], ring[k]) : 0.0) + this->CostOfTetrahedra(ends, ring, i, j, k);
   }
 
   double
-  CostOfTetrahedra(VertexPair ends, const boost::container::small_vector<VertexId, 12> & ring, int i, int j,
-                   int k) const
+  CostOfTetrahedra(VertexPair ends, const RingVertices & ring, int i, int j, int k) const
   {
     return m_Energy.CostOfTetrahedron({ { ends[0], ring[i], ring[j], ring[k] } }) +
            m_Energy.CostOfTetrahedron({ { ends[1], ring[i], ring[j], ring[k] } });
   }
 
+  /** Whether two vertices of a ring, i < k, are no neighbours in it. */
+  static bool
+  IsDiagonal(int n, int i, int k)
+  {
+    return k - i > 1 && k - i < n - 1;
+  }
+
+  /** Of all pairs of vertices of a ring, row by row, what an edge more between them costs; of its sides nothing. */
+  using DiagonalCosts = boost::container::small_vector<double, 64>;
+
+  DiagonalCosts
+  CostsOfDiagonals(const RingVertices & ring) const
+  {
+    const int     n = static_cast<int>(ring.size());
+    DiagonalCosts costs(ring.size() * ring.size(), 0.0);
+    for (int i = 0; i < n; ++i)
+    {
+      for (int k = i + 2; k < n; ++k)
+      {
+        costs[i * n + k] = IsDiagonal(n, i, k) ? m_Energy.CostOfEdge(ring[i], ring[k]) : 0.0;
+      }
+    }
+    return costs;
+  }
+
+  /** What the diagonals of a triangulation of a ring cost at least: that of those of the least costs. */
+  static double
+  LeastOfDiagonals(const DiagonalCosts & ofDiagonal, std::size_t size)
+  {
+    const int     n = static_cast<int>(size);
+    DiagonalCosts costs;
+    for (int i = 0; i < n; ++i)
+    {
+      for (int k = i + 2; k < n; ++k)
+      {
+        if (IsDiagonal(n, i, k))
+        {
+          costs.push_back(ofDiagonal[i * n + k]);
+        }
+      }
+    }
+    const auto end = costs.begin() + (n - 3);
+    std::partial_sort(costs.begin(), end, costs.end());
+    return std::accumulate(costs.begin(), end, 0.0);
+  }
+
   /** The triangulation of a ring that makes the least energy, as far as the parts are independent: a tetrahedron or an
    * edge that it makes twice is judged as if each were the first. */
   RingTriangulation
-  BestTriangulation(const EdgeRing & ring) const
+  BestTriangulation(const VertexPair & ends, const RingVertices & vertices, const DiagonalCosts & ofDiagonal) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    const auto       vertices = m_Complex.GetRingVertices(ring);
-    const VertexPair ends = this->EndsOf(ring);
     const int        n = static_cast<int>(vertices.size());
-    // Of the triangles over a diagonal, and of the sides of the ring.
-    std::vector<double> ofDiagonal(static_cast<std::size_t>(n) * n, 0.0);
-    for (int i = 0; i < n; ++i)
-    {
-      for (int k = i + 2; k < n && k - i < n - 1; ++k)
-      {
-        // Costs must not be negative; as every triangulation has as many triangles and diagonals, they may be shifted.
-        ofDiagonal[i * n + k] = m_Energy.GetWallWeight() + m_Energy.CostOfEdge(vertices[i], vertices[k]);
-      }
-    }
-    const auto cost = [&](int i, int j, int k) {
+    const auto       cost = [&](int i, int j, int k) {
       const VertexId a = vertices[i];
       const VertexId b = vertices[j];
       const VertexId c = vertices[k];
-      return a == b || b == c || a == c ? infinite
-                                        : 2.0 + ofDiagonal[i * n + k] + this->CostOfTetrahedra(ends, vertices, i, j, k);
+      // Costs must not be negative; as every triangulation has as many triangles and diagonals, they may be shifted.
+      const double shift = 2.0 * LargestGain + (IsDiagonal(n, i, k) ? m_Energy.GetWallWeight() : 0.0);
+      return a == b || b == c || a == c
+                     ? infinite
+                     : shift + ofDiagonal[i * n + k] + this->CostOfTetrahedra(ends, vertices, i, j, k);
     };
     return LeastCostTriangulation(n, cost);
   }
@@ -297,7 +353,8 @@ private:
   {
     const double limit = std::exchange(m_Limit, NoDifference);
     const bool   isLowered = std::any_of(tetrahedra.begin(), tetrahedra.end(), [&](TetrahedronId id) {
-      return this->TryAtTetrahedron(id, [](const EdgeRing &) { return true; });
+      return this->TryAtTetrahedron(
+        id, [](int, int) { return true; }, [](const EdgeRing &) { return true; });
     });
     m_Limit = limit;
     return isLowered;

@@ -104,6 +104,18 @@ PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & p
   , m_RepeatedCorner(preferences.repeatedCorner)
   , m_HasVotes(!votes.empty())
 {
+  // What is there comes first, in the order of the complex, which is one in space: so do the counts that a move needs.
+  for (const GeneralComplex::Edge & edge : complex.FindEdges())
+  {
+    ++m_Walls[edge.vertices].present;
+  }
+  for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+  {
+    if (complex.IsAlive(id))
+    {
+      ++m_Corners[Ascending(complex.GetTetrahedron(id).vertices)].present;
+    }
+  }
   VertexPair last{ { -1, -1 } };
   for (const ImageWall & wall : places.walls)
   {
@@ -118,17 +130,6 @@ PlaceEnergy::PlaceEnergy(const TissuePlaces & places, const PlacePreferences & p
   for (const JunctionVote & vote : votes)
   {
     m_Corners[vote.cells].share = static_cast<float>(vote.share);
-  }
-  for (const GeneralComplex::Edge & edge : complex.FindEdges())
-  {
-    ++m_Walls[edge.vertices].present;
-  }
-  for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
-  {
-    if (complex.IsAlive(id))
-    {
-      ++m_Corners[Ascending(complex.GetTetrahedron(id).vertices)].present;
-    }
   }
 }
 

@@ -10,26 +10,36 @@
 
 namespace tissue
 {
-std::vector<VoxelBox>
-FindVoxelBoxes(const LabelVolume & volume, std::size_t numberOfVertices)
+namespace
 {
-  std::vector<VoxelBox> boxes(numberOfVertices);
-  const VertexId *      row = volume.vertices.data();
-  for (std::int32_t z = 0; z < volume.size[2]; ++z)
+/** Extends the boxes by the vertices of all voxels, from the first one on. */
+template <typename TVertex>
+void
+AddVoxels(const VoxelIndex & size, const TVertex * row, std::vector<VoxelBox> & boxes)
+{
+  for (std::int32_t z = 0; z < size[2]; ++z)
   {
-    for (std::int32_t y = 0; y < volume.size[1]; ++y, row += volume.size[0])
+    for (std::int32_t y = 0; y < size[1]; ++y, row += size[0])
     {
-      for (std::int32_t begin = 0; begin < volume.size[0];)
+      for (std::int32_t begin = 0; begin < size[0];)
       {
-        const VertexId vertex = row[begin];
-        const auto     end = std::find_if(row + begin, row + volume.size[0], [=](VertexId v) { return v != vertex; });
-        VoxelBox &     box = boxes[static_cast<std::size_t>(vertex)];
+        const TVertex vertex = row[begin];
+        const auto    end = std::find_if(row + begin, row + size[0], [=](TVertex v) { return v != vertex; });
+        VoxelBox &    box = boxes[static_cast<std::size_t>(vertex)];
         box.Add({ { begin, y, z } });
         begin = static_cast<std::int32_t>(end - row);
         box.Add({ { begin - 1, y, z } });
       }
     }
   }
+}
+} // namespace
+
+std::vector<VoxelBox>
+FindVoxelBoxes(const LabelVolume & volume, std::size_t numberOfVertices)
+{
+  std::vector<VoxelBox> boxes(numberOfVertices);
+  volume.vertices.Visit([&](const auto * first) { AddVoxels(volume.size, first, boxes); });
   return boxes;
 }
 } // namespace tissue

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_WallPart_h
 #define TissueTessellationCore_WallPart_h
 
+#include "Nerve/PlaneScan.h"
 #include "Nerve/TissuePlaces.h"
 
 namespace tissue
@@ -30,11 +31,26 @@ struct WallPart
       sum[axis] += twiceCenter[axis];
     }
   }
+
+  /** Those of another part of the same wall, whose first face comes after this one's. */
+  void
+  AddFaces(const WallPart & part)
+  {
+    numberOfFaces += part.numberOfFaces;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] += part.sum[axis];
+    }
+  }
 };
 
 /** The wall that has these faces and no other. */
 ImageWall
 ToImageWall(const LabelVolume & volume, const WallPart & part);
+
+/** The walls, and in the same reading of the image the blocks in which there is something to know. */
+std::vector<ImageWall>
+FindImageWalls(const LabelVolume & volume, const BlockVisitor & visit, const Execution & execution);
 
 /** The order of TissuePlaces: of walls of the same cells and size that with the first face in raster order first. */
 bool

@@ -60,37 +60,6 @@ MeasureWall(const std::vector<SurfaceSample> & samples, const Point & normal)
   return wall;
 }
 
-std::vector<WallStatistics>
-MeasureWalls(const WallMesh & mesh)
-{
-  const CompressedRows<std::size_t> trianglesOf(mesh.walls.size(), [&mesh](const auto & add) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-      add(mesh.wallOfTriangle[t], t);
-    }
-  });
-  std::vector<WallStatistics>       walls;
-  std::vector<SurfaceSample>        samples;
-  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
-  {
-    samples.clear();
-    Point normal{ { 0.0, 0.0, 0.0 } };
-    for (const std::size_t t : trianglesOf[w])
-    {
-      const Triangle & triangle = mesh.triangles[t];
-      const Point &    a = mesh.points[triangle[0]];
-      const Point      half = 0.5 * Cross(mesh.points[triangle[1]] - a, mesh.points[triangle[2]] - a);
-      normal = normal + half;
-      for (const PointId p : triangle)
-      {
-        samples.push_back({ mesh.points[p], Norm(half) / 3.0 });
-      }
-    }
-    walls.push_back(MeasureWall(samples, normal));
-  }
-  return walls;
-}
-
 void
 SetShape(const SolidMoments & solid, CellStatistics & cell)
 {
@@ -177,6 +146,37 @@ CountLayers(const WallMesh & mesh, const std::vector<WallStatistics> & walls, st
   }
 }
 } // namespace
+
+std::vector<WallStatistics>
+MeasureWalls(const WallMesh & mesh)
+{
+  const CompressedRows<std::size_t> trianglesOf(mesh.walls.size(), [&mesh](const auto & add) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      add(mesh.wallOfTriangle[t], t);
+    }
+  });
+  std::vector<WallStatistics>       walls;
+  std::vector<SurfaceSample>        samples;
+  for (std::size_t w = 0; w < mesh.walls.size(); ++w)
+  {
+    samples.clear();
+    Point normal{ { 0.0, 0.0, 0.0 } };
+    for (const std::size_t t : trianglesOf[w])
+    {
+      const Triangle & triangle = mesh.triangles[t];
+      const Point &    a = mesh.points[triangle[0]];
+      const Point      half = 0.5 * Cross(mesh.points[triangle[1]] - a, mesh.points[triangle[2]] - a);
+      normal = normal + half;
+      for (const PointId p : triangle)
+      {
+        samples.push_back({ mesh.points[p], Norm(half) / 3.0 });
+      }
+    }
+    walls.push_back(MeasureWall(samples, normal));
+  }
+  return walls;
+}
 
 TissueStatistics
 MeasureTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const ImageGrid & grid)

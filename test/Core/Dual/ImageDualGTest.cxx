@@ -110,7 +110,7 @@ TEST(ImageDual, CornersOfFourCellsComeFirst)
   const auto  alone = *std::max_element(volume.vertices.begin(), volume.vertices.end()) + 1;
   for (int i = 0; i < 27; ++i)
   {
-    volume.vertices[static_cast<std::size_t>((1 + i / 9) * 24 + 1 + i / 3 % 3) * 24 + 1 + i % 3] = alone;
+    volume.vertices.Put(static_cast<std::size_t>((1 + i / 9) * 24 + 1 + i / 3 % 3) * 24 + 1 + i % 3, alone);
   }
   const Dualized ball(volume);
   ASSERT_FALSE(ball.topology.divided.empty());

@@ -182,11 +182,10 @@ TEST(ExteriorTopology, OfNoiseIsThatOfTheDefinition)
     volume.size = { { 1 + static_cast<int>(random.Index(6)),
                       1 + static_cast<int>(random.Index(6)),
                       1 + static_cast<int>(random.Index(6)) } };
-    volume.vertices.resize(static_cast<std::size_t>(volume.size[0]) * volume.size[1] * volume.size[2]);
     const int labels = 2 + random.Index(3);
-    for (VertexId & v : volume.vertices)
+    for (int i = 0; i < volume.size[0] * volume.size[1] * volume.size[2]; ++i)
     {
-      v = random.Index(labels);
+      volume.vertices.push_back(static_cast<VertexId>(random.Index(labels)));
     }
     const SurfaceTopology expected = TopologyByDefinition(volume);
     ExpectTopology(

@@ -34,7 +34,8 @@ MakeBridge(int width)
 WallMesh
 MeshOf(const LabelVolume & volume)
 {
-  return MakeVoxelWallMesh({ { volume.size[0], volume.size[1], volume.size[2] } }, volume.vertices);
+  return MakeVoxelWallMesh({ { volume.size[0], volume.size[1], volume.size[2] } },
+                           { volume.vertices.begin(), volume.vertices.end() });
 }
 
 void
@@ -80,11 +81,11 @@ TEST(SeparateWalls, OfACellAreThoseToTheExteriorToo)
   // A shell of cell 1 around a hollow of 3 x 1 x 1 voxels, whose surface is of 14 faces.
   LabelVolume shell;
   shell.size = { { 5, 3, 3 } };
-  shell.vertices.assign(45, 1);
-  std::fill_n(shell.vertices.begin() + 21, 3, ExteriorVertex);
+  shell.vertices = VoxelVertices(45, 1);
+  shell.vertices.Fill(21, 24, ExteriorVertex);
   ExpectCounts(CountSeparateWalls(MeshOf(shell), shell), 1, 1);
   LabelVolume solid = shell;
-  solid.vertices.assign(45, 1);
+  solid.vertices = VoxelVertices(45, 1);
   ExpectCounts(CountSeparateWalls(MeshOf(solid), shell), 1, 0);
   ExpectCounts(CountSeparateWalls(MeshOf(shell), solid), 0, 0);
 }

@@ -21,7 +21,7 @@ MakeVolume()
 {
   LabelVolume volume;
   volume.size = { { 12, 8, 8 } };
-  volume.vertices.assign(12 * 8 * 8, 0);
+  volume.vertices = VoxelVertices(12 * 8 * 8, 0);
   volume.origin = { { 7.0, -2.0, 3.0 } };
   volume.steps = { { { { 0.0, 0.5, 0.0 } }, { { -0.5, 0.0, 0.0 } }, { { 0.0, 0.0, 2.0 } } } };
   for (int z = 2; z < 6; ++z)
@@ -30,7 +30,7 @@ MakeVolume()
     {
       for (int x = 2; x < 10; ++x)
       {
-        volume.vertices[(z * 8 + y) * 12 + x] = x < 6 ? 1 : 2;
+        volume.vertices.Put((z * 8 + y) * 12 + x, x < 6 ? 1 : 2);
       }
     }
   }
@@ -69,7 +69,7 @@ TEST(VoxelDice, GivesACentreOnAWallToOneOfItsCells)
   // All sides, and so the diagonals of their squares, go through centres of voxels.
   LabelVolume labels;
   labels.size = { { 8, 5, 5 } };
-  labels.vertices.assign(8 * 5 * 5, 1);
+  labels.vertices = VoxelVertices(8 * 5 * 5, 1);
   WallMesh mesh = MakeVoxelWallMesh({ { 2, 1, 1 } }, { 1, 2 });
   for (Point & p : mesh.points)
   {
@@ -85,7 +85,7 @@ TEST(VoxelDice, CountsNoVoxelOutsideOfTheImage)
 {
   LabelVolume labels;
   labels.size = { { 2, 2, 2 } };
-  labels.vertices.assign(8, 1);
+  labels.vertices = VoxelVertices(8, 1);
   WallMesh mesh = MakeVoxelWallMesh({ { 1, 1, 1 } }, { 1 });
   for (Point & p : mesh.points)
   {

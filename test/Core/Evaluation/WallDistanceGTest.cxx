@@ -70,7 +70,7 @@ TEST(WallDistance, WallThatTheImageHasNotIsCountedByItsArea)
 {
   const TwoCells two;
   LabelVolume    labels = MakeVolume(1.0);
-  std::fill(labels.vertices.begin(), labels.vertices.end(), 1); // cell 2 is gone
+  labels.vertices.Fill(0, labels.vertices.size(), 1); // cell 2 is gone
   const WallDistance distance = MeasureWallDistance(two.MakeWall(labels, 0.0), 3, labels);
   EXPECT_EQ(distance.shareOfFalseWalls, 1.0);
   EXPECT_EQ(distance.mean, -1.0);
@@ -153,7 +153,7 @@ TEST(WallDistance, FromTheImageIsMinusOneWithoutItsWalls)
 {
   const TwoCells two;
   LabelVolume    labels = MakeVolume(1.0);
-  std::fill(labels.vertices.begin(), labels.vertices.end(), 1);
+  labels.vertices.Fill(0, labels.vertices.size(), 1);
   const WallDistance distance = MeasureWallDistance(two.MakeWall(labels, 0.0), 3, labels);
   EXPECT_EQ(distance.meanFromImage, -1.0);
   EXPECT_EQ(distance.percentile95, -1.0);

@@ -35,24 +35,24 @@ protected:
     }
   }
 
-  VertexId &
-  At(int x, int y, int z)
+  void
+  Put(int x, int y, int z, VertexId vertex)
   {
-    return m_Volume.vertices[static_cast<std::size_t>((z * 9 + y) * 14 + x)];
+    m_Volume.vertices.Put(static_cast<std::size_t>((z * 9 + y) * 14 + x), vertex);
   }
 
   /** The mesh of the image; vertices from 3 on become exterior in both, with walls of their own. */
   WallMesh
   MakeMesh()
   {
-    WallMesh mesh = MakeVoxelWallMesh(m_Volume.size, m_Volume.vertices);
+    WallMesh mesh = MakeVoxelWallMesh(m_Volume.size, { m_Volume.vertices.begin(), m_Volume.vertices.end() });
     for (WallMesh::Wall & wall : mesh.walls)
     {
       wall.cells[1] = wall.cells[1] > 2 ? ExteriorVertex : wall.cells[1];
     }
-    for (VertexId & vertex : m_Volume.vertices)
+    for (const VertexId isVoid : { 3, 4, 5 })
     {
-      vertex = vertex > 2 ? ExteriorVertex : vertex;
+      m_Volume.vertices.Replace(isVoid, ExteriorVertex);
     }
     return mesh;
   }
@@ -73,11 +73,11 @@ TEST_F(CavityVolumesOfTwoCells, NoneWithoutVoids)
 TEST_F(CavityVolumesOfTwoCells, VoidsOfOneCellAreCountedAndThoseBetweenCellsAreNot)
 {
   // Two voxels and one within cell 2 and 1; one of each cell, a void between them.
-  this->At(9, 3, 3) = 3;
-  this->At(10, 3, 3) = 3;
-  this->At(3, 3, 3) = 4;
-  this->At(6, 5, 5) = 5;
-  this->At(7, 5, 5) = 5;
+  this->Put(9, 3, 3, 3);
+  this->Put(10, 3, 3, 3);
+  this->Put(3, 3, 3, 4);
+  this->Put(6, 5, 5, 5);
+  this->Put(7, 5, 5, 5);
   const WallMesh      mesh = this->MakeMesh();
   const CavityVolumes cavities = FindCavityVolumes(mesh, 3, m_Volume);
   EXPECT_EQ(cavities.volumes, (std::vector<double>{ 1.0, 2.0 }));
@@ -98,7 +98,7 @@ TEST_F(CavityVolumesOfTwoCells, VoidsThatTheMeshHasNotAreNamed)
   const WallMesh mesh = this->MakeMesh();
   for (const int x : { 3, 5, 10 })
   {
-    this->At(x, 3, 3) = ExteriorVertex;
+    this->Put(x, 3, 3, ExteriorVertex);
   }
   const CavityVolumes cavities = FindCavityVolumes(mesh, 3, m_Volume);
   EXPECT_TRUE(cavities.volumes.empty());

@@ -55,7 +55,7 @@ TEST(CornerFitting, CornersOfDividedCellsComeToTheLineOfTheirCells)
 {
   // Cells 3 and 4 are one here: what was a corner of cells 1 to 4 is a point of the line of 1, 2 and them.
   LabelVolume volume = MakeVolume();
-  std::replace(volume.vertices.begin(), volume.vertices.end(), 4, 3);
+  volume.vertices.Replace(4, 3);
   const IndicatorField     field(volume);
   ImageDual                dual = DisplacedDual({ { 0.0, 0.0, 0.0 } });
   std::size_t              inner = 0;

@@ -103,7 +103,7 @@ TEST(WallProjection, WallsThatTheImageHasNotStay)
   const WallMesh           before = ShakenWalls(corners);
   WallMesh                 mesh = before;
   LabelVolume              volume = MakeVolume();
-  std::fill(volume.vertices.begin(), volume.vertices.end(), 1);
+  volume.vertices.Fill(0, volume.vertices.size(), 1);
   const IndicatorField field(volume);
   const ImagePlaces    faces = CollectImageFaces(volume, CellsOfWalls(mesh));
   const auto           pairs = CellsOfWalls(mesh);

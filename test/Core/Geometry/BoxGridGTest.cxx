@@ -71,6 +71,29 @@ TEST(BoxGrid, FindsEachPairOnce)
   EXPECT_TRUE(FindPairs({ boxes[0] }).empty());
 }
 
+TEST(BoxGrid, FindsThePairsOfSmallBoxesFarFromTheOrigin)
+{
+  // A float tells no box from the next here.
+  std::vector<Box> boxes = MakeBoxes(500, 0.1);
+  const Point      far{ { 1e9, -1e9, 1e9 } };
+  for (Box & box : boxes)
+  {
+    box = { box.lower + far, box.upper + far };
+  }
+  EXPECT_EQ(FindPairs(boxes), FindPairsOneByOne(boxes));
+}
+
+TEST(BoxGrid, FindsBoxesThatTouch)
+{
+  std::vector<Box> boxes;
+  for (int i = 0; i < 100; ++i)
+  {
+    boxes.push_back({ { { 0.1 * i, 0.3, 0.7 } }, { { 0.1 * (i + 1), 0.9, 1.1 } } });
+    boxes.back().lower[0] = i > 0 ? boxes[boxes.size() - 2].upper[0] : 0.0;
+  }
+  EXPECT_EQ(FindPairs(boxes).size(), 99u);
+}
+
 TEST(BoxGrid, FindsThePairsOfBoxesFarLongerThanTheOthers)
 {
   std::vector<Box> boxes = MakeBoxes(1000, 0.01);

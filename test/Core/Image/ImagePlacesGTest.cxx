@@ -74,3 +74,27 @@ TEST(ImagePlaces, EdgesOfEachLine)
   EXPECT_EQ(lines.Begin(1)[0], (ImagePlaces::Place{ { 1.5f, 4.0f, 4.5f } }));
   EXPECT_EQ(lines.Begin(1)[1], (ImagePlaces::Place{ { 1.5f, 6.0f, 4.5f } }));
 }
+
+TEST(ImagePlaces, RegroupsInPlaceAndKeepsTheOrder)
+{
+  const auto           placeOf = [](int i) { return ImagePlaces::Place{ { static_cast<float>(i), 0.0f, 0.0f } }; };
+  ImagePlaces::Entries entries;
+  for (int i = 0; i < 6; ++i)
+  {
+    entries.push_back({ i < 5 ? 0 : 1, placeOf(i) });
+  }
+  ImagePlaces places(2, entries);
+  places.Regroup(4, [](std::size_t group) {
+    return group == 0 ? std::vector<std::size_t>{ 3, 1, 3, 3, 1 } : std::vector<std::size_t>{ 0 };
+  });
+  ASSERT_EQ(Count(places, 0), 1u);
+  ASSERT_EQ(Count(places, 1), 2u);
+  EXPECT_EQ(Count(places, 2), 0u);
+  ASSERT_EQ(Count(places, 3), 3u);
+  EXPECT_EQ(places.Begin(0)[0], placeOf(5));
+  EXPECT_EQ(places.Begin(1)[0], placeOf(1));
+  EXPECT_EQ(places.Begin(1)[1], placeOf(4));
+  EXPECT_EQ(places.Begin(3)[0], placeOf(0));
+  EXPECT_EQ(places.Begin(3)[1], placeOf(2));
+  EXPECT_EQ(places.Begin(3)[2], placeOf(3));
+}

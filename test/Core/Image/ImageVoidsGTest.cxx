@@ -19,23 +19,23 @@ protected:
   ImageVoids()
   {
     m_Volume.size = { { 9, 8, 7 } };
-    m_Volume.vertices.assign(9 * 8 * 7, ExteriorVertex);
+    m_Volume.vertices = VoxelVertices(9 * 8 * 7, ExteriorVertex);
     for (int z = 1; z < 6; ++z)
     {
       for (int y = 1; y < 7; ++y)
       {
         for (int x = 1; x < 8; ++x)
         {
-          this->At(x, y, z) = 1;
+          this->Put(x, y, z, 1);
         }
       }
     }
   }
 
-  VertexId &
-  At(int x, int y, int z)
+  void
+  Put(int x, int y, int z, VertexId vertex)
   {
-    return m_Volume.vertices[static_cast<std::size_t>((z * 8 + y) * 9 + x)];
+    m_Volume.vertices.Put(static_cast<std::size_t>((z * 8 + y) * 9 + x), vertex);
   }
 
   LabelVolume m_Volume;
@@ -49,7 +49,7 @@ TEST_F(ImageVoids, AreCountedByVoxels)
   // edge.
   for (const auto & [x, y, z] : std::vector<std::array<int, 3>>{ { 3, 3, 2 }, { 3, 3, 3 }, { 2, 3, 3 }, { 4, 4, 3 } })
   {
-    this->At(x, y, z) = ExteriorVertex;
+    this->Put(x, y, z, ExteriorVertex);
   }
   const auto voids = FindVoidsInCells(m_Volume);
   ASSERT_EQ(voids.size(), 2u);
@@ -63,23 +63,23 @@ TEST_F(ImageVoids, AreClosedOnAllSides)
 {
   for (int x = 4; x < 8; ++x)
   {
-    this->At(x, 3, 3) = ExteriorVertex;
+    this->Put(x, 3, 3, ExteriorVertex);
   }
   EXPECT_TRUE(FindVoidsInCells(m_Volume).empty());
-  this->At(7, 3, 3) = 1;
+  this->Put(7, 3, 3, 1);
   EXPECT_EQ(FindVoidsInCells(m_Volume).size(), 1u);
 }
 
 TEST_F(ImageVoids, AreWithinOneCellAlone)
 {
-  this->At(3, 3, 3) = ExteriorVertex;
-  this->At(3, 3, 4) = 2;
+  this->Put(3, 3, 3, ExteriorVertex);
+  this->Put(3, 3, 4, 2);
   EXPECT_TRUE(FindVoidsInCells(m_Volume).empty());
 }
 
 TEST_F(ImageVoids, AreNotOnTheBorderOfTheImage)
 {
-  m_Volume.vertices.assign(m_Volume.vertices.size(), 1);
-  this->At(0, 3, 3) = ExteriorVertex;
+  m_Volume.vertices = VoxelVertices(m_Volume.vertices.size(), 1);
+  this->Put(0, 3, 3, ExteriorVertex);
   EXPECT_TRUE(FindVoidsInCells(m_Volume).empty());
 }

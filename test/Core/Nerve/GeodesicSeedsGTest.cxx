@@ -89,7 +89,7 @@ TEST(GeodesicSeeds, HaveConnectedParts)
     for (std::size_t i = 0; i < voxels.size(); ++i)
     {
       const VoxelIndex & p = voxels[i];
-      parts.vertices[static_cast<std::size_t>((p[2] * 9 + p[1]) * 9 + p[0])] = 1 + seeds.SeedOf(i);
+      parts.vertices.Put(static_cast<std::size_t>((p[2] * 9 + p[1]) * 9 + p[0]), 1 + seeds.SeedOf(i));
     }
     EXPECT_TRUE(FindFragments(parts, 1 + seeds.NumberOfSeeds()).fragments.empty()) << seed;
   }

@@ -30,7 +30,9 @@ WithoutFragments(LabelVolume volume, VertexId & numberOfVertices)
 HandleCuts
 CutHandlesOf(LabelVolume & volume, VertexId numberOfVertices)
 {
-  return CutHandles(volume, FindEulerCharacteristics(volume, numberOfVertices));
+  return CutHandles(volume,
+                    FindEulerCharacteristics(volume, numberOfVertices),
+                    FindVoxelBoxes(volume, static_cast<std::size_t>(numberOfVertices)));
 }
 
 /** A torus around the third axis, in exterior. */

@@ -164,7 +164,7 @@ TEST(ImageNerve, OfATorusGivesTheExteriorAHandle)
 TEST(ImageNerve, OfAShellGivesTheExteriorTwoLinks)
 {
   LabelVolume volume = Bricks({ { 3, 3, 3 } }, 5, false);
-  std::replace(volume.vertices.begin(), volume.vertices.end(), VertexId{ 14 }, ExteriorVertex);
+  volume.vertices.Replace(14, ExteriorVertex);
   const ImageNerve nerve = NerveOf(volume);
   const auto       characteristics = EulerCharacteristics(nerve.complex);
   EXPECT_EQ(characteristics[0], (std::vector<std::int32_t>{ 2, 2 }));
@@ -219,7 +219,7 @@ TEST(ImageNerve, OfANestedCellHasNoCornerOfIt)
 {
   LabelVolume volume = Bricks({ { 3, 3, 2 } }, 6);
   const auto  vertices = NumberOfVertices(volume);
-  volume.vertices[static_cast<std::size_t>((9 * volume.size[1] + 15) * volume.size[0] + 15)] = vertices;
+  volume.vertices.Put(static_cast<std::size_t>((9 * volume.size[1] + 15) * volume.size[0] + 15), vertices);
   EXPECT_EQ(FindViolations(NerveOf(volume).complex),
             std::vector<std::string>{ "vertex " + std::to_string(vertices) + " is in no tetrahedron" });
 }

@@ -121,9 +121,9 @@ TEST(ImageTopology, TellsFragmentsAndDividedCells)
     return static_cast<std::size_t>((z * volume.size[1] + y) * volume.size[0] + x);
   };
   // A nucleus within a cell, and a far voxel of another cell within a third.
-  volume.vertices[at(15, 15, 9)] = vertices;
+  volume.vertices.Put(at(15, 15, 9), vertices);
   const VertexId around = volume.vertices[at(9, 9, 9)];
-  volume.vertices[at(9, 9, 9)] = volume.vertices[at(15, 21, 9)];
+  volume.vertices.Put(at(9, 9, 9), volume.vertices[at(15, 21, 9)]);
   const VertexId      ofNucleus = volume.vertices[at(15, 14, 9)]; // one of the two that it touches
   const ImageTopology topology = FindImageTopology(volume, vertices + 1);
   ASSERT_EQ(topology.fragments.fragments.size(), 1u);

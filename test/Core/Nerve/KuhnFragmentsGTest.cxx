@@ -78,6 +78,20 @@ TEST(KuhnFragments, OfNoiseLeaveEachVertexOnePiece)
     {
       EXPECT_TRUE(image.vertices[i] != ExteriorVertex || volume.vertices[i] == ExteriorVertex);
     }
+    for (const LabelVolume * ofVoxels : { &image, static_cast<const LabelVolume *>(&volume) })
+    {
+      const auto boxes = FindVoxelBoxes(*ofVoxels, static_cast<std::size_t>(fragments.numberOfVertices));
+      for (std::size_t v = 0; v < boxes.size(); ++v)
+      {
+        VoxelBox all = fragments.boxes[v];
+        if (!boxes[v].IsEmpty())
+        {
+          all.Add(boxes[v].least);
+          all.Add(boxes[v].most);
+        }
+        EXPECT_EQ(all.NumberOfVoxels(), fragments.boxes[v].NumberOfVoxels()) << seed << ": vertex " << v;
+      }
+    }
   }
 }
 

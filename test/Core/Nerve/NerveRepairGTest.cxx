@@ -173,7 +173,7 @@ TEST(NerveRepair, PutsNestedCellsIntoTrianglesOfTheirNeighbours)
 {
   LabelVolume volume = Bricks({ { 3, 3, 2 } }, 6);
   const auto  vertices = NumberOfVertices(volume);
-  volume.vertices[static_cast<std::size_t>((9 * volume.size[1] + 15) * volume.size[0] + 15)] = vertices;
+  volume.vertices.Put(static_cast<std::size_t>((9 * volume.size[1] + 15) * volume.size[0] + 15), vertices);
   const Repaired repaired = RepairedNerveOf(volume);
   ASSERT_EQ(repaired.records.size(), 1u);
   EXPECT_EQ(repaired.records[0].kind, RepairKind::PutIntoTriangle);
@@ -230,9 +230,9 @@ TEST(NerveRepair, JoinsCellsInManyPiecesInAllItsWays)
   {
     // Cells of some six voxels, most of them in several pieces, which are left as they are.
     LabelVolume volume = Noise({ { 8, 8, 8 } }, 80, seed);
-    for (VertexId & v : volume.vertices)
+    for (std::size_t i = 0; i < volume.vertices.size(); ++i)
     {
-      ++v;
+      volume.vertices.Put(i, volume.vertices[i] + 1);
     }
     const Repaired repaired = RepairedNerveOf(volume);
     const auto     kinds = KindsOf(repaired.records);

@@ -25,11 +25,11 @@ Change(LabelVolume & volume, const VoxelIndex & least, const VoxelIndex & most, 
     {
       for (std::int32_t x = least[0]; x <= most[0]; ++x)
       {
-        VertexId & vertex = volume.vertices[static_cast<std::size_t>((z * volume.size[1] + y) * volume.size[0] + x)];
+        const auto i = static_cast<std::size_t>((z * volume.size[1] + y) * volume.size[0] + x);
         if (random.Index(2) == 0)
         {
-          changes.push_back({ { { x, y, z } }, vertex });
-          vertex = static_cast<VertexId>(random.Index(static_cast<std::size_t>(numberOfVertices)));
+          changes.push_back({ { { x, y, z } }, volume.vertices[i] });
+          volume.vertices.Put(i, static_cast<VertexId>(random.Index(static_cast<std::size_t>(numberOfVertices))));
         }
       }
     }
@@ -116,7 +116,7 @@ TEST(PlaceUpdate, OfAWallThatIsCutMakesTwo)
   for (std::int32_t y = 0; y < 20; ++y)
   {
     changes.push_back({ { { 10, y, 5 } }, 2 });
-    volume.vertices[static_cast<std::size_t>((5 * 20 + y) * 40 + 10)] = 3;
+    volume.vertices.Put(static_cast<std::size_t>((5 * 20 + y) * 40 + 10), 3);
   }
   UpdateImageWalls(volume, changes, walls);
   const auto count = std::count_if(walls.begin(), walls.end(), [](const ImageWall & wall) {

@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "TestWallMeshes.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "VoxelTissue.h"
 
@@ -248,7 +248,7 @@ TEST(TissueReconstruction, AVoidIsExterior)
 {
   LabelVolume volume = VoronoiBall(24, 4.0);
   const auto  hollow = *std::max_element(volume.vertices.begin(), volume.vertices.end());
-  std::replace(volume.vertices.begin(), volume.vertices.end(), hollow, ExteriorVertex);
+  volume.vertices.Replace(hollow, ExteriorVertex);
   const Ball                 shell(volume);
   const TissueReconstruction result = shell.Reconstruct();
   ExpectClosedCells(result.walls, shell.junctions);

@@ -7,10 +7,12 @@
 #ifndef TissueTessellationCore_BlockRow_h
 #define TissueTessellationCore_BlockRow_h
 
-#include "Nerve/KuhnSimplex.h"
 #include "TissueTessellationCore/Image/LabelVolume.h"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
 
 namespace tissue
 {
@@ -22,12 +24,15 @@ using BlockVoxels = std::array<VertexId, 8>;
  * Nearly everywhere all columns of four voxels, across the row, are of one cell each. Two such columns side by side
  * tell nothing: no corner is there, and no cell's shape has more or less of a hole. So the row is read in stretches,
  * most of which are passed over at once. */
+template <typename TVertex>
 class BlockRow
 {
 public:
   /** Of the rows y and y + 1 in the planes z and z + 1, each of which may be outside.
+   * \param vertices those of the volume (VoxelVertices::Visit()).
    * \param outside a row of exterior. */
-  BlockRow(const LabelVolume & volume, const std::vector<VertexId> & outside, std::int32_t y, std::int32_t z)
+  BlockRow(const LabelVolume & volume, const TVertex * vertices, const std::vector<TVertex> & outside, std::int32_t y,
+           std::int32_t z)
     : m_Size(volume.size[0])
   {
     for (int i = 0; i < 4; ++i)
@@ -35,9 +40,8 @@ public:
       const std::int32_t rowY = y + i % 2;
       const std::int32_t rowZ = z + i / 2;
       const bool         isInside = rowY >= 0 && rowZ >= 0 && rowY < volume.size[1] && rowZ < volume.size[2];
-      m_Rows[i] = isInside
-                    ? volume.vertices.data() + (static_cast<std::size_t>(rowZ) * volume.size[1] + rowY) * volume.size[0]
-                    : outside.data();
+      m_Rows[i] = isInside ? vertices + (static_cast<std::size_t>(rowZ) * volume.size[1] + rowY) * volume.size[0]
+                           : outside.data();
     }
   }
 
@@ -67,7 +71,7 @@ public:
   }
 
 private:
-  using Column = std::array<VertexId, 4>;
+  using Column = std::array<TVertex, 4>;
 
   static constexpr std::int32_t Stretch = 16;
 
@@ -93,7 +97,7 @@ private:
   bool
   AreUniform(std::int32_t begin, std::int32_t end) const
   {
-    VertexId differences = 0;
+    TVertex differences = 0;
     for (std::int32_t x = begin; x < end; ++x)
     {
       differences |= (m_Rows[0][x] ^ m_Rows[1][x]) | (m_Rows[0][x] ^ m_Rows[2][x]) | (m_Rows[0][x] ^ m_Rows[3][x]);
@@ -111,9 +115,27 @@ private:
     }
   }
 
-  std::array<const VertexId *, 4> m_Rows;
-  std::int32_t                    m_Size;
+  std::array<const TVertex *, 4> m_Rows;
+  std::int32_t                   m_Size;
 };
+
+/** Calls visit(x, y, voxels) for the blocks between the planes z and z + 1 that BlockRow::VisitMixed() visits, row by
+ * row from that in front of the image on, where y is -1. */
+template <typename TVisitor>
+void
+VisitMixedBlocks(const LabelVolume & volume, std::int32_t z, const TVisitor & visit)
+{
+  volume.vertices.Visit([&](const auto * vertices) {
+    using Vertex = std::remove_cv_t<std::remove_reference_t<decltype(*vertices)>>;
+    const std::vector<Vertex> outside(static_cast<std::size_t>(volume.size[0]), ExteriorVertex);
+    for (std::int32_t y = -1; y < volume.size[1]; ++y)
+    {
+      BlockRow<Vertex>(volume, vertices, outside, y, z).VisitMixed([&](std::int32_t x, const BlockVoxels & voxels) {
+        visit(x, y, voxels);
+      });
+    }
+  });
+}
 } // namespace tissue
 
 #endif
