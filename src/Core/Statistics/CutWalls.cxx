@@ -66,27 +66,28 @@ DiameterAround(const OuterSurface & surface, std::size_t wall)
   return sum / static_cast<double>(1 + neighbors.size());
 }
 
-/** Of each wall the median over it and those about it of measure(fit, diameter), which is 0 where the fit is open. */
+/** Of each wall the median over it and those about it of measure(relief, diameter), which is 0 where it is not known.
+ */
 template <typename TMeasure>
 std::vector<double>
-MeasureRelief(const OuterSurface & surface, const TMeasure & measure)
+SmoothReliefs(const OuterSurface & surface, const TMeasure & measure)
 {
   const std::size_t   count = surface.walls.size();
-  std::vector<double> reliefs(count, 0.0);
+  std::vector<double> values(count, 0.0);
   for (std::size_t w = 0; w < count; ++w)
   {
-    const SurfaceFit fit = FitAround(surface, w);
-    reliefs[w] = std::isnan(fit.roughness) ? 0.0 : measure(fit, DiameterAround(surface, w));
+    const SurfaceRelief relief = ReliefAround(surface, w);
+    values[w] = std::isnan(relief.roughness) ? 0.0 : measure(relief, DiameterAround(surface, w));
   }
   std::vector<double> medians(count);
   for (std::size_t w = 0; w < count; ++w)
   {
-    std::vector<double> values{ reliefs[w] };
+    std::vector<double> around{ values[w] };
     for (const std::size_t neighbor : surface.neighbors[w])
     {
-      values.push_back(reliefs[neighbor]);
+      around.push_back(values[neighbor]);
     }
-    medians[w] = Median(values);
+    medians[w] = Median(around);
   }
   return medians;
 }
@@ -171,8 +172,8 @@ FitPlane(const OuterSurface & surface, const Region & region, double voxelLength
   plane.normal = Normalized(plane.normal);
   plane.offset = Dot(center, plane.normal);
   plane.tolerance = toleranceOverFlatness * FlatnessOf(diameter, voxelLength);
-  const SurfaceFit fit = FitSurface(samples, center, plane.normal);
-  return fit.planeDistance <= FlatnessOf(diameter, voxelLength) ? plane : CutPlane();
+  const double distance = MeasureRelief(samples, center, plane.normal).planeDistance;
+  return distance <= FlatnessOf(diameter, voxelLength) ? plane : CutPlane();
 }
 } // namespace
 
@@ -181,10 +182,11 @@ FindCutPlanes(const OuterSurface & surface, double voxelLength)
 {
   constexpr std::size_t     fewestWalls = 8;
   constexpr double          parallelCosine = 0.97;
-  const std::vector<double> reliefs = MeasureRelief(surface, [voxelLength](const SurfaceFit & fit, double diameter) {
-    return fit.planeDistance / FlatnessOf(diameter, voxelLength);
-  });
-  std::vector<CutPlane>     planes;
+  const std::vector<double> reliefs =
+    SmoothReliefs(surface, [voxelLength](const SurfaceRelief & relief, double diameter) {
+      return relief.planeDistance / FlatnessOf(diameter, voxelLength);
+    });
+  std::vector<CutPlane> planes;
   for (const Region & region :
        FindCores(surface, LeastShareOfPlane, [&reliefs](std::size_t w) { return reliefs[w] <= 1.0; }))
   {
@@ -208,7 +210,7 @@ MarkCutWalls(OuterSurface & surface)
   constexpr double          roughest = 0.1;
   constexpr double          most = 0.8;
   const std::vector<double> reliefs =
-    MeasureRelief(surface, [](const SurfaceFit & fit, double diameter) { return fit.roughness / diameter; });
+    SmoothReliefs(surface, [](const SurfaceRelief & relief, double diameter) { return relief.roughness / diameter; });
   const std::vector<Region> cuts =
     FindCores(surface, LeastShareOfRough, [&reliefs](std::size_t w) { return reliefs[w] > roughest; });
   if (!AreAtMost(surface, cuts, most))

@@ -236,8 +236,8 @@ FindOuterSurface(const WallMesh & mesh, const std::vector<Cell> & cells, const s
   return surface;
 }
 
-SurfaceFit
-FitAround(const OuterSurface & surface, std::size_t wall)
+SurfaceRelief
+ReliefAround(const OuterSurface & surface, std::size_t wall)
 {
   std::vector<SurfaceSample> samples;
   Point                      normal{ { 0.0, 0.0, 0.0 } };
@@ -247,7 +247,7 @@ FitAround(const OuterSurface & surface, std::size_t wall)
     samples.insert(samples.end(), ofWall.begin(), ofWall.end());
     normal = normal + surface.walls[w].normal;
   }
-  return FitSurface(samples, surface.walls[wall].center, Normalized(normal));
+  return MeasureRelief(samples, surface.walls[wall].center, Normalized(normal));
 }
 
 Curvatures

@@ -48,10 +48,10 @@ OuterSurface
 FindOuterSurface(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<double> & cellAreas,
                  const ImageGrid & grid);
 
-/** Fits a surface to a wall and those next to it that do not face away from it, as behind a crease or an edge; without
+/** The relief of a wall and those next to it that do not face away from it, as behind a crease or an edge; without
  * those that are cut, unless it is cut itself. */
-SurfaceFit
-FitAround(const OuterSurface & surface, std::size_t wall);
+SurfaceRelief
+ReliefAround(const OuterSurface & surface, std::size_t wall);
 
 /** The curvatures of the surface about a wall, by the normals of the same walls. */
 Curvatures

@@ -151,27 +151,37 @@ MeasureSpread(const std::vector<SurfaceSample> & samples)
 }
 } // namespace
 
-SurfaceFit
+SurfaceRelief
+MeasureRelief(const std::vector<SurfaceSample> & samples, const Point & center, const Point & normal)
+{
+  const Spread  spread = MeasureSpread(samples);
+  SurfaceRelief relief;
+  if (spread.distance > 0.0)
+  {
+    relief.planeDistance = spread.planeDistance;
+    const HeightFit fit = FitHeights(samples, MakeFrame(center, normal), spread.distance, Coefficients::Zero());
+    relief.roughness = fit.isUnique ? spread.distance * fit.residual : UnknownStatistic;
+  }
+  return relief;
+}
+
+Curvatures
 FitSurface(const std::vector<SurfaceSample> & samples, const Point & center, const Point & normal)
 {
   // The arcs' curvatures and the normal are found by turns, from those of parabolas and the given normal on.
-  constexpr int    mostTurns = 30;
-  constexpr double leastChange = 1e-6;
-  const Spread     spread = MeasureSpread(samples);
-  SurfaceFit       result;
-  if (!(spread.distance > 0.0))
+  constexpr int    mostTurns = 20;
+  constexpr double leastChange = 1e-4;
+  const double     length = MeasureSpread(samples).distance;
+  if (!(length > 0.0))
   {
-    return result;
+    return {};
   }
-  result.planeDistance = spread.planeDistance;
-  const double length = spread.distance;
-  Frame        frame = MakeFrame(center, normal);
-  HeightFit    fit = FitHeights(samples, frame, length, Coefficients::Zero());
+  Frame     frame = MakeFrame(center, normal);
+  HeightFit fit = FitHeights(samples, frame, length, Coefficients::Zero());
   if (!fit.isUnique)
   {
-    return result;
+    return {};
   }
-  result.roughness = length * fit.residual;
   for (int turn = 0; turn < mostTurns; ++turn)
   {
     const Coefficients c = fit.coefficients;
@@ -183,16 +193,14 @@ FitSurface(const std::vector<SurfaceSample> & samples, const Point & center, con
     {
       break;
     }
-    const double change = (better.coefficients - c).norm();
     frame = next;
     fit = better;
-    if (change < leastChange)
+    if ((better.coefficients - c).norm() < leastChange)
     {
       break;
     }
   }
-  result.curvatures = CurvaturesOf(fit.coefficients, length);
-  return result;
+  return CurvaturesOf(fit.coefficients, length);
 }
 
 Curvatures

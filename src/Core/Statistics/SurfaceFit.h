@@ -20,24 +20,27 @@ struct SurfaceSample
   double area;
 };
 
-/** \brief A surface that is fitted to samples of one by least squares. */
-struct SurfaceFit
+/** \brief How samples lie about the surfaces that fit best, by least squares. What cannot be known is
+ * UnknownStatistic. */
+struct SurfaceRelief
 {
-  /** Where the surface is nearest to the given centre. */
-  Curvatures curvatures;
   /** The root mean square distance of the samples along the given normal to a quadratic height over the plane. */
   double roughness = UnknownStatistic;
   /** That to the plane that fits best. */
   double planeDistance = UnknownStatistic;
 };
 
-/** \brief Fits a surface whose normal sections at one place are arcs of circles: balls and cylinders fit exactly, and
- * so do all others to the second order.
+/** Samples that leave the fit open, as of fewer than six places or all on one line, have no roughness; without samples
+ * nothing is known. \param normal of length 1, near that of the surface. */
+SurfaceRelief
+MeasureRelief(const std::vector<SurfaceSample> & samples, const Point & center, const Point & normal);
+
+/** \brief Finds the curvatures of a surface where it is nearest to a centre, by a fit to samples.
  *
- * Samples that leave the fit open, as of fewer than six places or all on one line, have no curvatures and no roughness;
- * without samples nothing is known.
+ * The surface's normal sections are arcs of circles there: balls and cylinders fit exactly, and so do all others to the
+ * second order. Samples that leave the fit open have no curvatures.
  * \param normal of length 1, near that of the surface, from which curvatures are seen. */
-SurfaceFit
+Curvatures
 FitSurface(const std::vector<SurfaceSample> & samples, const Point & center, const Point & normal);
 
 /** A part of a surface with its mean normal times its area, which its outline alone decides. */

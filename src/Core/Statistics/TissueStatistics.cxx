@@ -50,12 +50,11 @@ MeasureWall(const std::vector<SurfaceSample> & samples, const Point & normal)
   }
   wall.center = (1.0 / wall.area) * center;
   wall.planarity = Norm(normal) / wall.area;
-  const SurfaceFit fit = FitSurface(samples, wall.center, Normalized(normal));
-  wall.planeDistance = fit.planeDistance;
+  wall.planeDistance = MeasureRelief(samples, wall.center, Normalized(normal)).planeDistance;
   if (Norm(normal) > 0.0)
   {
     wall.normal = Normalized(normal);
-    wall.meanCurvature = fit.curvatures.Mean();
+    wall.meanCurvature = FitSurface(samples, wall.center, wall.normal).Mean();
   }
   return wall;
 }

@@ -44,11 +44,11 @@ TEST(SurfaceFit, OfABallHasItsCurvatureWhateverTheSizeOfThePatch)
   const auto   ball = [radius](double x, double y) { return std::sqrt(radius * radius - x * x - y * y); };
   for (const double half : { 0.5, 3.0, 5.0 })
   {
-    const SurfaceFit fit = FitSurface(SampleHeights(ball, half), { { 0, 0, radius } }, Up);
-    EXPECT_NEAR(fit.curvatures.maximum, 0.1, 1e-4) << half;
-    EXPECT_NEAR(fit.curvatures.minimum, 0.1, 1e-4) << half;
-    EXPECT_NEAR(fit.curvatures.Mean(), 0.1, 1e-4);
-    EXPECT_NEAR(fit.curvatures.Gaussian(), 0.01, 2e-5);
+    const Curvatures fit = FitSurface(SampleHeights(ball, half), { { 0, 0, radius } }, Up);
+    EXPECT_NEAR(fit.maximum, 0.1, 1e-4) << half;
+    EXPECT_NEAR(fit.minimum, 0.1, 1e-4) << half;
+    EXPECT_NEAR(fit.Mean(), 0.1, 1e-4);
+    EXPECT_NEAR(fit.Gaussian(), 0.01, 2e-5);
   }
 }
 
@@ -57,58 +57,57 @@ TEST(SurfaceFit, FindsTheNormalAndTheFootOfTheCentre)
   // A patch of the ball whose normal is 30 degrees off the given one, with the centre of the patch below the surface.
   const double     radius = 10.0;
   const auto       ball = [radius](double x, double y) { return std::sqrt(radius * radius - x * x - y * y); };
-  const SurfaceFit fit = FitSurface(SampleHeights(ball, 2.0, 5.0), { { 4.8, 0.0, 8.3 } }, Up);
-  EXPECT_NEAR(fit.curvatures.maximum, 0.1, 1e-3);
-  EXPECT_NEAR(fit.curvatures.minimum, 0.1, 1e-3);
+  const Curvatures fit = FitSurface(SampleHeights(ball, 2.0, 5.0), { { 4.8, 0.0, 8.3 } }, Up);
+  EXPECT_NEAR(fit.maximum, 0.1, 1e-3);
+  EXPECT_NEAR(fit.minimum, 0.1, 1e-3);
 }
 
 TEST(SurfaceFit, OfACylinderIsFlatAlongIt)
 {
   const auto       cylinder = [](double x, double) { return std::sqrt(16.0 - x * x); };
-  const SurfaceFit fit = FitSurface(SampleHeights(cylinder, 2.0), { { 0, 0, 4 } }, Up);
-  EXPECT_NEAR(fit.curvatures.maximum, 0.25, 0.25 * 0.02);
-  EXPECT_NEAR(fit.curvatures.minimum, 0.0, 0.25 * 0.02);
+  const Curvatures fit = FitSurface(SampleHeights(cylinder, 2.0), { { 0, 0, 4 } }, Up);
+  EXPECT_NEAR(fit.maximum, 0.25, 0.25 * 0.02);
+  EXPECT_NEAR(fit.minimum, 0.0, 0.25 * 0.02);
 }
 
 TEST(SurfaceFit, SeesTheCurvaturesAlongTheNormal)
 {
   const auto       saddle = [](double x, double y) { return 0.5 * (0.1 * x * x - 0.3 * y * y); };
   const auto       samples = SampleHeights(saddle, 0.2);
-  const SurfaceFit above = FitSurface(samples, { { 0, 0, 0 } }, Up);
-  EXPECT_NEAR(above.curvatures.maximum, 0.3, 1e-3);
-  EXPECT_NEAR(above.curvatures.minimum, -0.1, 1e-3);
-  EXPECT_NEAR(above.curvatures.Mean(), 0.1, 1e-3);
-  EXPECT_NEAR(above.curvatures.Gaussian(), -0.03, 1e-3);
-  const SurfaceFit below = FitSurface(samples, { { 0, 0, 0 } }, -1.0 * Up);
-  EXPECT_NEAR(below.curvatures.maximum, 0.1, 1e-3);
-  EXPECT_NEAR(below.curvatures.minimum, -0.3, 1e-3);
+  const Curvatures above = FitSurface(samples, { { 0, 0, 0 } }, Up);
+  EXPECT_NEAR(above.maximum, 0.3, 1e-3);
+  EXPECT_NEAR(above.minimum, -0.1, 1e-3);
+  EXPECT_NEAR(above.Mean(), 0.1, 1e-3);
+  EXPECT_NEAR(above.Gaussian(), -0.03, 1e-3);
+  const Curvatures below = FitSurface(samples, { { 0, 0, 0 } }, -1.0 * Up);
+  EXPECT_NEAR(below.maximum, 0.1, 1e-3);
+  EXPECT_NEAR(below.minimum, -0.3, 1e-3);
 }
 
-TEST(SurfaceFit, RoughnessIsTheDistanceToAQuadraticSurface)
+TEST(SurfaceRelief, RoughnessIsTheDistanceToAQuadraticSurface)
 {
   // A checkerboard of heights is rough by its height; a parabola is smooth, though off the plane.
   int        count = 0;
   const auto board = [&count](double, double) { return ++count % 2 == 0 ? 0.25 : -0.25; };
-  EXPECT_NEAR(FitSurface(SampleHeights(board, 1.0), { { 0, 0, 0 } }, Up).roughness, 0.25, 0.01);
-  const auto       parabola = [](double x, double) { return x * x; };
-  const SurfaceFit fit = FitSurface(SampleHeights(parabola, 1.0), { { 0, 0, 0 } }, Up);
+  EXPECT_NEAR(MeasureRelief(SampleHeights(board, 1.0), { { 0, 0, 0 } }, Up).roughness, 0.25, 0.01);
+  const auto          parabola = [](double x, double) { return x * x; };
+  const SurfaceRelief fit = MeasureRelief(SampleHeights(parabola, 1.0), { { 0, 0, 0 } }, Up);
   EXPECT_NEAR(fit.roughness, 0.0, 1e-6);
   EXPECT_GT(fit.planeDistance, 0.2);
 }
 
-TEST(SurfaceFit, PlaneDistanceIsZeroInAnyPlane)
+TEST(SurfaceRelief, PlaneDistanceIsZeroInAnyPlane)
 {
-  const auto       plane = [](double x, double y) { return 0.5 * x - 0.3 * y + 7.0; };
-  const SurfaceFit fit = FitSurface(SampleHeights(plane, 1.0), { { 0, 0, 7 } }, Up);
+  const auto          plane = [](double x, double y) { return 0.5 * x - 0.3 * y + 7.0; };
+  const SurfaceRelief fit = MeasureRelief(SampleHeights(plane, 1.0), { { 0, 0, 7 } }, Up);
   EXPECT_NEAR(fit.planeDistance, 0.0, 1e-6);
-  EXPECT_NEAR(fit.curvatures.Mean(), 0.0, 1e-6);
+  EXPECT_NEAR(FitSurface(SampleHeights(plane, 1.0), { { 0, 0, 7 } }, Up).Mean(), 0.0, 1e-6);
 }
 
 TEST(SurfaceFit, KnowsNoCurvaturesOfTooFewSamples)
 {
-  const SurfaceFit none = FitSurface({}, { { 0, 0, 0 } }, Up);
-  EXPECT_TRUE(std::isnan(none.planeDistance));
-  EXPECT_TRUE(std::isnan(none.curvatures.Mean()));
+  EXPECT_TRUE(std::isnan(MeasureRelief({}, { { 0, 0, 0 } }, Up).planeDistance));
+  EXPECT_TRUE(std::isnan(FitSurface({}, { { 0, 0, 0 } }, Up).Mean()));
   // Five places, each several times, as the triangles of a square with its middle have them.
   std::vector<SurfaceSample> samples;
   for (int i = 0; i < 3; ++i)
@@ -122,8 +121,8 @@ TEST(SurfaceFit, KnowsNoCurvaturesOfTooFewSamples)
       samples.push_back({ p, 1.0 });
     }
   }
-  const SurfaceFit few = FitSurface(samples, { { 0, 0, 0 } }, Up);
-  EXPECT_TRUE(std::isnan(few.curvatures.Mean()));
+  const SurfaceRelief few = MeasureRelief(samples, { { 0, 0, 0 } }, Up);
+  EXPECT_TRUE(std::isnan(FitSurface(samples, { { 0, 0, 0 } }, Up).Mean()));
   EXPECT_TRUE(std::isnan(few.roughness));
   EXPECT_NEAR(few.planeDistance, 0.4, 1e-9);
 }
