@@ -61,7 +61,7 @@ protected:
 TEST_F(MeshExport, CellComplexHasWallsEdgesAndVolumes)
 {
   const std::string text = this->Export("a.ply");
-  for (const char * line : { "element vertex 12\n", "element face 22\n", "element edge 33\n", "element volume 2\n" })
+  for (const char * line : { "element vertex 12\n", "element face 22\n", "element edge 31\n", "element volume 2\n" })
   {
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   }

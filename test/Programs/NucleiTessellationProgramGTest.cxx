@@ -359,7 +359,7 @@ TEST_F(NucleiTessellationApp, OtherFilesAndOptionsThatAreRefused)
   this->ExpectRefusal("points.csv walls.vtp --evaluateAgainst none.mha", { "none.mha: no such file" });
   this->ExpectRefusal("points.csv walls.vtp --voxelsPerCell 1", { "--voxelsPerCell: 1 is out of range" });
   this->ExpectRefusal("points.csv walls.vtp --preset paper --delaunayWeight=-1",
-                      { "delaunayWeight is -1, must be in 0 .. 1e+06" });
+                      { "--delaunayWeight: -1 is out of range, must be in 0 .. 1e+06" });
   this->ExpectRefusal("points.csv walls.vtp --preset paper --unitLength=-2",
                       { "unitLength is -2, must be in 1e-12 .. 1e+12" });
   this->ExpectRefusal("points.csv walls.vtp --membraneSigma -1", { "--membraneSigma: -1 is out of range" });

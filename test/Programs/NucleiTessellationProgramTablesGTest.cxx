@@ -29,7 +29,7 @@ TEST_F(NucleiTessellationTables, NamesOfCellsAreInStatisticsAndReport)
   this->Write("t.tsv",
               "LABEL\tPOSITION_X\tPOSITION_Y\tPOSITION_Z\n\t(micron)\t(micron)\t(micron)\nID7\t0\t0\t0\n"
               "a,b\t10\t0\t0\nID9\t0\t10\t0\nID3\t0\t0\t10\n");
-  const auto report = this->RunAndReport("t.tsv walls.vtp --refinement 0 --statistics s.csv --cells c.vtu");
+  const auto report = this->RunAndReport("t.tsv walls.vtp --refinement 0 --statistics s.csv --cellSurfaces c.vtp");
   EXPECT_EQ(report["input"]["pointUnit"], "um");
   EXPECT_EQ(report["input"]["names"],
             (nlohmann::json{ { "1", "ID7" }, { "2", "a,b" }, { "3", "ID9" }, { "4", "ID3" } }));
@@ -44,7 +44,7 @@ TEST_F(NucleiTessellationTables, NamesOfCellsAreInStatisticsAndReport)
   EXPECT_NE(statistics.find(",Name\n1,"), std::string::npos) << statistics;
   EXPECT_NE(statistics.find(",ID7\n2,"), std::string::npos) << statistics;
   EXPECT_NE(statistics.find(",\"a,b\"\n3,"), std::string::npos) << statistics;
-  EXPECT_NE(ReadBytes(this->PathOf("c.vtu")).find("Name=\"Name\""), std::string::npos);
+  EXPECT_NE(ReadBytes(this->PathOf("c.vtp")).find("Name=\"Name\""), std::string::npos);
 }
 
 TEST_F(NucleiTessellationTables, ALabelOfZeroIsACell)

@@ -13,7 +13,8 @@ using ReturnParametersFile = TemporaryFolderTest;
 
 TEST_F(ReturnParametersFile, HasALineForEachNumber)
 {
-  tissue::WriteReturnParameters({ { "cells", 1000000.0 }, { "error", 0.1 } }, this->PathOf("results"));
-  EXPECT_EQ(ReadBytes(this->PathOf("results")), "cells = 1000000\nerror = 0.1\n");
+  tissue::WriteReturnParameters({ { "cells", 1000000.0 }, { "error", 0.1 }, { "none", 3e-17 } },
+                                this->PathOf("results"));
+  EXPECT_EQ(ReadBytes(this->PathOf("results")), "cells = 1000000\nerror = 0.1\nnone = 0\n");
   EXPECT_NE(RefusalOf([&] { tissue::WriteReturnParameters({}, this->PathOf("none/results")); }), "");
 }

@@ -5,8 +5,19 @@
  *
  *=========================================================================*/
 // The programs as 3D Slicer runs them: it composes the command line from the XML that they print.
+#include "MembraneImage.h"
 #include "SlicerModule.h"
 #include "TissueTessellationProgramTest.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkVariant.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 namespace
 {
@@ -118,8 +129,8 @@ TEST_F(SlicerModules, TakeEveryKindOfOptionInSlicersForm)
 
 TEST_F(SlicerModules, TakeTheImageForMembranesWhereItIsToBe)
 {
-  m_Program = SYNTHETIC_TISSUE_PROGRAM;
-  ASSERT_EQ(this->Run("labels.mha --membranes membranes.mha --size 48 48 32 --cells 12 --quiet"), 0) << m_Errors;
+  const auto tissue = MakeSyntheticTestTissue<unsigned char>();
+  this->WriteImage(tissue_test::MakeMembraneImage<unsigned char>(tissue.GetPointer()).GetPointer(), "membranes.mha");
   m_Program = TISSUE_TESSELLATION_PROGRAM;
   ASSERT_EQ(this->Run("--membrane membranes.mha plain.vtp --refinement 0"), 0) << m_Errors;
   this->RunAsSlicer(
@@ -155,4 +166,38 @@ TEST_F(SlicerModules, WriteNoResultsWhereTheRunFails)
   this->WriteTissue<unsigned char>("tissue.mha");
   this->ExpectRefusal("tissue.mha walls.vtp --returnparameterfile none/results", { "none/results", "no folder" });
   this->ExpectRefusal("missing.mha walls.vtp --returnparameterfile results", { "missing.mha" });
+}
+
+TEST_F(SlicerModules, SegmentCellsInAFileWithPieces)
+{
+  this->WriteTissue<unsigned char>("tissue.mha");
+  m_Program = TISSUE_TESSELLATION_PROGRAM;
+  for (const char * cells : { "cells.vtu", "cells.seg.vtm", "cells.seg.vtm" })
+  {
+    ASSERT_EQ(this->Run(std::string("tissue.mha walls.vtp --refinement 0 --cells ") + cells), 0) << m_Errors;
+  }
+  EXPECT_EQ(this->List(), "cells.seg cells.seg.vtm cells.vtu tissue.mha walls.vtp ");
+
+  const vtkNew<vtkXMLUnstructuredGridReader> gridReader;
+  gridReader->SetFileName(this->PathOf("cells.vtu").c_str());
+  gridReader->Update();
+  vtkUnstructuredGrid * const              grid = gridReader->GetOutput();
+  const vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName(this->PathOf("cells.seg.vtm").c_str());
+  reader->Update();
+  auto * const segmentation = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  ASSERT_EQ(static_cast<vtkIdType>(segmentation->GetNumberOfBlocks()), grid->GetNumberOfCells());
+  std::set<std::string> colors;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    auto * const block = vtkPolyData::SafeDownCast(segmentation->GetBlock(static_cast<unsigned int>(i)));
+    ASSERT_NE(block, nullptr);
+    EXPECT_EQ(block->GetNumberOfCells(), grid->GetCell(i)->GetNumberOfFaces());
+    colors.insert(block->GetFieldData()->GetArray("Segment_Color")->GetVariantValue(0).ToString());
+  }
+  EXPECT_GT(colors.size(), 1u);
+
+  std::ofstream(this->PathOf("cells.seg/notes.txt")) << "mine";
+  this->ExpectRefusal("tissue.mha walls.vtp --cells cells.seg.vtm", { "cells.seg.vtm", "notes.txt" });
+  this->ExpectRefusal("tissue.mha walls.vtp --cells cells.vtk", { "must end in .vtu or .vtm" });
 }

@@ -19,8 +19,9 @@ WriteReturnParameters(const ReturnParameters & parameters, const std::string & p
   for (const auto & [name, value] : parameters)
   {
     char       text[400];
-    const auto end = std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed).ptr;
-    file << name << " = " << std::string(text, end) << '\n';
+    const auto end = std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed, 6).ptr;
+    const auto digits = std::string(text, end).find_last_not_of('0') + 1;
+    file << name << " = " << std::string(text, text[digits - 1] == '.' ? digits - 1 : digits) << '\n';
   }
   if (!file.flush())
   {
