@@ -12,6 +12,7 @@
 #include <vtkCell.h>
 #include <vtkIdList.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -294,8 +295,13 @@ TEST(TissueTessellationVTKBridge, EachWallHasARowAndItsStatisticsOnItsTriangles)
 TEST(TissueTessellationVTKBridge, TheNeighborsAreThePairsOfCellsThatShareWalls)
 {
   FourCubes tissue;
-  tissue.mesh.walls.push_back(tissue.mesh.walls.back()); // a second wall of the last pair
-  tissue.mesh.wallOfTriangle.back() = 8;
+  // A second wall of the cells 3 and 4, half of the first.
+  const auto first = std::find_if(tissue.mesh.walls.begin(), tissue.mesh.walls.end(), [](const auto & wall) {
+    return wall.cells == tissue::VertexPair{ { 3, 4 } };
+  });
+  const auto number = static_cast<tissue::WallId>(first - tissue.mesh.walls.begin());
+  tissue.mesh.walls.push_back(tissue::WallMesh::Wall{ { { 3, 4 } } });
+  *std::find(tissue.mesh.wallOfTriangle.begin(), tissue.mesh.wallOfTriangle.end(), number) = 8;
   const auto table = tissue::MakeNeighborTable(tissue.mesh, tissue.cells, tissue.Statistics());
   ASSERT_EQ(table->GetNumberOfRows(), 4);
   std::map<std::array<int, 2>, int> walls;

@@ -35,13 +35,13 @@ ForEachSide(const WallMesh & mesh, const std::vector<WallStatistics> & walls, co
 }
 
 WallStatistics
-MeasureWall(const std::vector<SurfaceSample> & samples, const Point & normal)
+MeasureWall(const std::vector<SurfaceSample> & samples, const Point & normal, double area)
 {
   WallStatistics wall;
-  Point          center{ { 0.0, 0.0, 0.0 } };
+  wall.area = area;
+  Point center{ { 0.0, 0.0, 0.0 } };
   for (const SurfaceSample & sample : samples)
   {
-    wall.area += sample.area;
     center = center + sample.area * sample.position;
   }
   if (!(wall.area > 0.0))
@@ -160,19 +160,21 @@ MeasureWalls(const WallMesh & mesh)
   for (std::size_t w = 0; w < mesh.walls.size(); ++w)
   {
     samples.clear();
-    Point normal{ { 0.0, 0.0, 0.0 } };
+    double area = 0.0;
+    Point  normal{ { 0.0, 0.0, 0.0 } };
     for (const std::size_t t : trianglesOf[w])
     {
       const Triangle & triangle = mesh.triangles[t];
       const Point &    a = mesh.points[triangle[0]];
       const Point      half = 0.5 * Cross(mesh.points[triangle[1]] - a, mesh.points[triangle[2]] - a);
       normal = normal + half;
+      area += Norm(half);
       for (const PointId p : triangle)
       {
         samples.push_back({ mesh.points[p], Norm(half) / 3.0 });
       }
     }
-    walls.push_back(MeasureWall(samples, normal));
+    walls.push_back(MeasureWall(samples, normal, area));
   }
   return walls;
 }
