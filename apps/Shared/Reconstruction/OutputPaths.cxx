@@ -91,7 +91,8 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
     ->type_name("LABELS")
     ->group("Further outputs");
   add("--statistics", paths.statistics, { ".csv" }, "The cells' statistics, one row a cell");
-  add("--walls", paths.wallStatistics, { ".csv" }, "The walls' statistics, one row a wall");
+  // A module of Slicer needs another name than that of the mesh.
+  add("--wallStatistics,--walls", paths.wallStatistics, { ".csv" }, "The walls' statistics, one row a wall");
   add("--graph",
       paths.graph,
       { ".graphml" },
