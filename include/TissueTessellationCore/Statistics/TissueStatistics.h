@@ -105,8 +105,8 @@ MeasureWalls(const WallMesh & mesh);
 /** \brief Measures cells and walls.
  *
  * The tissue is cut, and its surface no epidermis,
- * - on the border of the image: where triangles of cells that touch the border (Cell::touchesBorder) lie within 1.5
- *   voxels of one of its planes and within 45 degrees parallel to it;
+ * - on the border of the image: where all points of a triangle of a cell that touches the border (Cell::touchesBorder)
+ * lie within 1.5 voxels of its planes, and the triangle is within 60 degrees parallel to one of these;
  * - at planes within the image, as a mask leaves them: where 8 walls or more lie in one plane within a hundredth of the
  *   cells' diameter (that of a ball of their surface) or 0.4 voxels, as the bulging cells of an epidermis never do;
  * this does not count where such planes are not parallel or more than half of the surface, as those of a block or a

@@ -35,15 +35,37 @@ VolumeBehind(const WallMesh & mesh, std::size_t t, const Point & origin)
 }
 
 bool
-IsOn(const CutPlane & plane, const WallMesh & mesh, const Triangle & triangle)
+IsNear(const Point & p, const CutPlane & plane)
 {
-  constexpr double leastCosine = 0.7071;
+  return std::abs(Dot(p, plane.normal) - plane.offset) <= plane.tolerance;
+}
+
+/** Whether each point of a triangle is near one of the planes, and it is about parallel to such a one. Across the edge
+ * of two planes triangles have points on both. */
+bool
+IsCut(const std::vector<CutPlane> & planes, const WallMesh & mesh, const Triangle & triangle)
+{
+  constexpr double leastCosine = 0.5;
   const Point &    a = mesh.points[triangle[0]];
   const Point      normal = Normalized(Cross(mesh.points[triangle[1]] - a, mesh.points[triangle[2]] - a));
-  return std::abs(Dot(normal, plane.normal)) >= leastCosine &&
-         std::all_of(triangle.begin(), triangle.end(), [&](PointId p) {
-           return std::abs(Dot(mesh.points[p], plane.normal) - plane.offset) <= plane.tolerance;
-         });
+  bool             isParallel = false;
+  for (const PointId p : triangle)
+  {
+    bool isNear = false;
+    for (const CutPlane & plane : planes)
+    {
+      if (IsNear(mesh.points[p], plane))
+      {
+        isNear = true;
+        isParallel = isParallel || std::abs(Dot(normal, plane.normal)) >= leastCosine;
+      }
+    }
+    if (!isNear)
+    {
+      return false;
+    }
+  }
+  return isParallel;
 }
 } // namespace
 
@@ -100,8 +122,7 @@ MarkCut(const WallMesh & mesh, const std::vector<CutPlane> & planes, const std::
   for (std::size_t t = 0; t < places.size(); ++t)
   {
     if (places[t] == TrianglePlace::Surface && mayBeCut(CellAtExterior(mesh, t)) &&
-        std::any_of(
-          planes.begin(), planes.end(), [&](const CutPlane & plane) { return IsOn(plane, mesh, mesh.triangles[t]); }))
+        IsCut(planes, mesh, mesh.triangles[t]))
     {
       places[t] = TrianglePlace::Cut;
     }

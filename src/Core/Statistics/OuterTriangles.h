@@ -45,8 +45,8 @@ FindBorder(const ImageGrid & grid);
 std::vector<TrianglePlace>
 FindSurface(const WallMesh & mesh);
 
-/** Marks the triangles of the surface that are cut by a plane: near it, and within 45 degrees parallel to it. \param
- * mayBeCut tells of a cell whether it may be. */
+/** Marks the triangles of the surface that are cut by planes: all points are near one, and the triangle is within 60
+ * degrees parallel to such a one. \param mayBeCut tells of a cell whether it may be. */
 void
 MarkCut(const WallMesh & mesh, const std::vector<CutPlane> & planes, const std::function<bool(VertexId)> & mayBeCut,
         std::vector<TrianglePlace> & places);

@@ -73,3 +73,23 @@ TEST(OuterTriangles, OnTheBorderAreThoseInItsPlanes)
   EXPECT_EQ(Count(Place(mesh, grid, false), TrianglePlace::Cut), 0);
   EXPECT_EQ(Count(Place(mesh, ImageGrid(), true), TrianglePlace::Cut), 0);
 }
+
+TEST(OuterTriangles, AcrossAnEdgeOfTwoPlanesTheyHavePointsOnBoth)
+{
+  const std::vector<CutPlane> planes{ { { { 1, 0, 0 } }, 1.0, 0.15 }, { { { 0, 1, 0 } }, 1.0, 0.15 } };
+  WallMesh                    mesh;
+  mesh.walls = { { { { 1, ExteriorVertex } } } };
+  const auto add = [&mesh](const Point & a, const Point & b, const Point & c) {
+    const auto first = static_cast<PointId>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), { a, b, c });
+    mesh.triangles.push_back({ { first, first + 1, first + 2 } });
+    mesh.wallOfTriangle.push_back(0);
+  };
+  add({ { 1, 0.5, 0 } }, { { 1, 0.5, 1 } }, { { 0.5, 1, 0 } });        // bevels the edge
+  add({ { 1, 0.2, 0 } }, { { 0.9, 0.2, 0 } }, { { 0.95, 0.2, 0.1 } }); // near one, but across it
+  add({ { 1, 0.5, 0 } }, { { 1, 0.5, 1 } }, { { 0.5, 0.8, 0 } });      // has a point far from both
+  std::vector<TrianglePlace> places(3, TrianglePlace::Surface);
+  MarkCut(
+    mesh, planes, [](VertexId) { return true; }, places);
+  EXPECT_EQ(places, (std::vector<TrianglePlace>{ TrianglePlace::Cut, TrianglePlace::Surface, TrianglePlace::Surface }));
+}
