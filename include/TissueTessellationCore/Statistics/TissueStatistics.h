@@ -119,6 +119,8 @@ MeasureWalls(const WallMesh & mesh);
  * a plane a twentieth or more, of the surface that is not on the border; with what is smaller between rough ones. So an
  * edge, and a crease between two organs, is no cut.
  *
+ * What is left is cut as well where it is less than a fiftieth of the surface.
+ *
  * The epidermis are the cells that have a fiftieth of their surface or more at the exterior that is neither cut nor a
  * void that the tissue encloses.
  *

@@ -175,6 +175,34 @@ SumAreas(const OuterSurface & surface)
   return area;
 }
 
+/** That of the tissue, with what is cut. */
+double
+SumAreas(const WallMesh & mesh, const std::vector<TrianglePlace> & places)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < places.size(); ++t)
+  {
+    area += places[t] == TrianglePlace::Within ? 0.0 : 0.5 * Norm(OutwardNormal(mesh, t));
+  }
+  return area;
+}
+
+/** Takes what is left of a tissue that is cut all around, as a rounded corner of the image, for cut, too. */
+void
+MarkRemainder(double areaOfTissue, OuterSurface & surface)
+{
+  constexpr double leastShare = 0.02;
+  double           left = 0.0;
+  for (const OuterWall & wall : surface.walls)
+  {
+    left += wall.isCut ? 0.0 : wall.area;
+  }
+  for (OuterWall & wall : surface.walls)
+  {
+    wall.isCut = wall.isCut || left < leastShare * areaOfTissue;
+  }
+}
+
 /** The areas that are cut, by wall. */
 std::vector<double>
 SumCutAreas(const WallMesh & mesh, const std::vector<TrianglePlace> & places, const std::vector<OuterWall> & walls)
@@ -232,6 +260,7 @@ FindOuterSurface(const WallMesh & mesh, const std::vector<Cell> & cells, const s
     surface = std::move(left);
   }
   MarkCutWalls(surface);
+  MarkRemainder(SumAreas(mesh, places), surface);
   surface.cutAreas = SumCutAreas(mesh, places, surface.walls);
   return surface;
 }

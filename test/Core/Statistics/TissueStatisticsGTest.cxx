@@ -238,3 +238,32 @@ TEST(TissueStatistics, AVoidHasNoEpidermis)
     EXPECT_TRUE(std::isnan(cells[v].curvatures.Mean()));
   }
 }
+
+TEST(TissueStatistics, ATissueThatFillsTheImageHasNoEpidermis)
+{
+  // But for a voxel at a corner, a hundredth of the surface.
+  const int             side = 6;
+  std::vector<VertexId> vertices;
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    vertices.push_back(i == 0 ? ExteriorVertex : i % side < 3 ? 1 : 2);
+  }
+  const WallMesh    mesh = MakeVoxelWallMesh({ { side, side, side } }, vertices);
+  std::vector<Cell> cells(3);
+  for (Cell & cell : cells)
+  {
+    cell.touchesBorder = true;
+  }
+  ImageGrid grid;
+  grid.size = { { 10 * side, 10 * side, 10 * side } };
+  grid.steps = { { { { 0.1, 0, 0 } }, { { 0, 0.1, 0 } }, { { 0, 0, 0.1 } } } };
+  grid.origin = { { 0.05, 0.05, 0.05 } };
+  const auto statistics = MeasureTissue(mesh, cells, grid).cells;
+  for (const VertexId cell : { 1, 2 })
+  {
+    EXPECT_EQ(statistics[cell].layer, 0);
+    EXPECT_NEAR(statistics[cell].exteriorArea, 108.0, 1e-9);
+    EXPECT_NEAR(statistics[cell].cutArea, 108.0, 1e-9);
+    EXPECT_TRUE(std::isnan(statistics[cell].curvatures.Mean()));
+  }
+}
