@@ -170,6 +170,9 @@ private:
   void
   TransformToPhysicalSpace(tissue::JunctionSet & junctions) const;
 
+  tissue::ImageGrid
+  DescribeGrid() const;
+
   /** Each voxel by its vertex in the junctions. A label that is no cell's is the exterior's. */
   std::shared_ptr<const tissue::LabelVolume>
   MakeLabelVolume(const tissue::JunctionSet & junctions) const;

@@ -157,6 +157,7 @@ LabelJunctionExtractionFilter<TLabelImage>::Extract(const tissue::ExteriorLabels
   const ScanMap       scans = this->ScanImage(size, exterior);
   tissue::JunctionSet junctions = this->Gather(scans, size, exterior);
   this->CheckCells(scans, junctions);
+  junctions.grid = this->DescribeGrid();
   return junctions;
 }
 
@@ -363,22 +364,33 @@ LabelJunctionExtractionFilter<TLabelImage>::TransformToPhysicalSpace(tissue::Jun
 }
 
 template <typename TLabelImage>
+tissue::ImageGrid
+LabelJunctionExtractionFilter<TLabelImage>::DescribeGrid() const
+{
+  const LabelImageType * image = this->GetInput();
+  const auto             region = image->GetLargestPossibleRegion();
+  const auto             origin = image->template TransformIndexToPhysicalPoint<double>(region.GetIndex());
+  tissue::ImageGrid      grid;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    grid.size[i] = static_cast<std::int32_t>(region.GetSize(i));
+    grid.origin[i] = origin[i];
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      grid.steps[i][j] = image->GetDirection()[j][i] * image->GetSpacing()[i];
+    }
+  }
+  return grid;
+}
+
+template <typename TLabelImage>
 std::shared_ptr<const tissue::LabelVolume>
 LabelJunctionExtractionFilter<TLabelImage>::MakeLabelVolume(const tissue::JunctionSet & junctions) const
 {
-  const LabelImageType * image = this->GetInput();
-  const auto             volume = std::make_shared<tissue::LabelVolume>();
-  const auto             region = image->GetLargestPossibleRegion();
-  const auto             origin = image->template TransformIndexToPhysicalPoint<double>(region.GetIndex());
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    volume->size[i] = static_cast<std::int32_t>(region.GetSize(i));
-    volume->origin[i] = origin[i];
-    for (unsigned int j = 0; j < 3; ++j)
-    {
-      volume->steps[i][j] = image->GetDirection()[j][i] * image->GetSpacing()[i];
-    }
-  }
+  const auto volume = std::make_shared<tissue::LabelVolume>();
+  volume->size = junctions.grid.size;
+  volume->origin = junctions.grid.origin;
+  volume->steps = junctions.grid.steps;
   this->NumberVoxels(junctions, *volume);
   return volume;
 }

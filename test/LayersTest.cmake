@@ -11,6 +11,7 @@ set(Complex        Common Geometry Adjacency)
 set(Nerve          Common Geometry Adjacency Image Complex)
 set(Optimization   Common Geometry Adjacency Complex)
 set(Mesh           Common Geometry)
+set(Statistics     Common Geometry Adjacency Mesh)
 set(Remeshing      Common Geometry Mesh)
 set(Dual           Common Geometry Adjacency Complex Nerve Mesh)
 set(Fitting        Common Geometry Adjacency Image Complex Nerve Mesh Remeshing Dual)
@@ -18,7 +19,7 @@ set(Tessellation   Common Geometry)
 set(Points         Common Geometry Adjacency Image Complex Tessellation)
 set(Evaluation     Common Geometry Adjacency Image Complex Nerve Mesh)
 set(Reconstruction Common Geometry Adjacency Image Complex Nerve Optimization Mesh Remeshing Dual Fitting)
-set(coreFolders Common Geometry Adjacency Image Complex Nerve Optimization Mesh Remeshing Dual Fitting Tessellation Points
+set(coreFolders Common Geometry Adjacency Image Complex Nerve Optimization Mesh Statistics Remeshing Dual Fitting Tessellation Points
   Evaluation Reconstruction)
 set(cgalDoors "/(Geometry/(ExactPredicates|ConvexHull|SpatialOrder)|Complex/DelaunayTetrahedralization)\\.cxx$")
 

@@ -8,6 +8,7 @@
 #define TissueTessellationVTKArrays_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Statistics/TissueStatistics.h"
 
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
@@ -15,10 +16,13 @@
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkTypeFloat64Array.h>
 #include <vtkTypeInt64Array.h>
 
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace tissue
 {
@@ -37,6 +41,59 @@ MakeArray(const char * name, int numberOfComponents, vtkIdType numberOfTuples)
   array->SetNumberOfComponents(numberOfComponents);
   array->SetNumberOfTuples(numberOfTuples);
   return array;
+}
+
+/** Adds an array with one value for each of the given vertices, walls or other numbers. */
+template <typename TArray, typename TNumber, typename TValueOf>
+void
+AddColumn(vtkFieldData * attributes, const char * name, const std::vector<TNumber> & numbers, const TValueOf & valueOf)
+{
+  const auto column = MakeArray<TArray>(name, 1, static_cast<vtkIdType>(numbers.size()));
+  for (std::size_t row = 0; row < numbers.size(); ++row)
+  {
+    column->SetValue(static_cast<vtkIdType>(row), valueOf(numbers[row]));
+  }
+  attributes->AddArray(column);
+}
+
+/** The same with a vector for each; its components are named X, Y and Z. */
+template <typename TNumber, typename TVectorOf>
+void
+AddVectorColumn(vtkFieldData * attributes, const char * name, const std::vector<TNumber> & numbers,
+                const TVectorOf & vectorOf)
+{
+  const auto column = MakeArray<vtkTypeFloat64Array>(name, 3, static_cast<vtkIdType>(numbers.size()));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const char * const names[] = { "X", "Y", "Z" };
+    column->SetComponentName(axis, names[axis]);
+    for (std::size_t row = 0; row < numbers.size(); ++row)
+    {
+      column->SetTypedComponent(static_cast<vtkIdType>(row), axis, vectorOf(numbers[row])[axis]);
+    }
+  }
+  attributes->AddArray(column);
+}
+
+/** first, first + 1, ... end - 1. */
+inline std::vector<std::int32_t>
+NumbersOf(std::int32_t first, std::size_t end)
+{
+  std::vector<std::int32_t> numbers(end < static_cast<std::size_t>(first) ? 0 : end - first);
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
+
+/** Throws std::invalid_argument where statistics are not of a mesh and its cells. */
+inline void
+RequireStatisticsOf(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
+{
+  if (statistics.cells.size() != cells.size() || statistics.walls.size() != mesh.walls.size())
+  {
+    throw std::invalid_argument("VTK bridge: the statistics are for " + std::to_string(statistics.cells.size()) +
+                                " vertices and " + std::to_string(statistics.walls.size()) + " walls, must be for " +
+                                std::to_string(cells.size()) + " and " + std::to_string(mesh.walls.size()));
+  }
 }
 
 /** Makes points of double precision, all of which the caller must set. */

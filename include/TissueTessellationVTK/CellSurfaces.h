@@ -100,9 +100,10 @@ MakeVectors(const char * name, const std::vector<Point> & vectors)
  * In ascending order of the labels. The cell arrays are the columns of MakeCellTable, on every triangle of the cell.
  * The point arrays are `Normals`, outwards and of length 1, and `FromCenter`, the way from the mean of all cells'
  * centres to the centre of the point's cell: to move all points by a share of it takes the tissue apart. The field
- * array `SPACE` is `LPS`. `check` is the result of CheckCellSurfaces for `mesh` and `cells.size()`. */
+ * array `SPACE` is `LPS`. `check` and `statistics` are those of MakeCellTable. */
 inline vtkSmartPointer<vtkPolyData>
-MakeCellSurfaces(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
+MakeCellSurfaces(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check,
+                 const TissueStatistics & statistics)
 {
   const std::vector<OwnSurface> surfaces = CollectOwnSurfaces(mesh, cells.size());
   Point                         middle{ { 0.0, 0.0, 0.0 } };
@@ -138,7 +139,7 @@ MakeCellSurfaces(const WallMesh & mesh, const std::vector<Cell> & cells, const C
     polygons->InsertNextCell({ a, b, c });
   }
   data->SetPolys(polygons);
-  bridge::AddCellStatistics(data->GetCellData(), mesh, cells, check, vertices);
+  bridge::AddCellStatistics(data->GetCellData(), mesh, cells, check, statistics, vertices);
   const auto normals = bridge::MakeVectors("Normals", bridge::ComputePointNormals(points, triangles));
   data->GetPointData()->SetNormals(normals);
   data->GetPointData()->AddArray(bridge::MakeVectors("FromCenter", ways));

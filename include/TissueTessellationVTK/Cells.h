@@ -15,59 +15,89 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <map>
 
 namespace tissue
 {
 namespace bridge
 {
-/** Adds an array with one value for each of the given vertices. */
-template <typename TArray, typename TValueOf>
-void
-AddColumn(vtkDataSetAttributes * attributes, const char * name, const std::vector<VertexId> & vertices,
-          const TValueOf & valueOf)
+/** Two cells that share walls. */
+struct NeighborPair
 {
-  const auto column = MakeArray<TArray>(name, 1, static_cast<vtkIdType>(vertices.size()));
-  for (std::size_t row = 0; row < vertices.size(); ++row)
+  double       area = 0.0;
+  std::int32_t numberOfWalls = 0;
+};
+
+/** The pairs of cells, without the exterior, that share walls, the vertices of each ascending. \param walls of the
+ * mesh. */
+inline std::map<VertexPair, NeighborPair>
+FindNeighborPairs(const WallMesh & mesh, const std::vector<WallStatistics> & walls)
+{
+  std::map<VertexPair, NeighborPair> pairs;
+  for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    column->SetValue(static_cast<vtkIdType>(row), valueOf(vertices[row]));
+    VertexPair cells = mesh.walls[w].cells;
+    std::sort(cells.begin(), cells.end());
+    if (walls[w].area > 0.0 && cells[0] != ExteriorVertex)
+    {
+      NeighborPair & pair = pairs[cells];
+      pair.area += walls[w].area;
+      ++pair.numberOfWalls;
+    }
   }
-  attributes->AddArray(column);
+  return pairs;
 }
 
 /** Counts the cells, without the exterior, with which each vertex shares a wall. */
 inline std::vector<std::int32_t>
-CountNeighbors(const WallMesh & mesh, std::size_t numberOfVertices)
+CountNeighbors(const WallMesh & mesh, const TissueStatistics & statistics)
 {
-  std::vector<VertexPair> pairs;
-  WallId                  previous = -1;
-  for (const WallId wall : mesh.wallOfTriangle)
+  std::vector<std::int32_t> counts(statistics.cells.size(), 0);
+  for (const auto & pair : FindNeighborPairs(mesh, statistics.walls))
   {
-    VertexPair cells = mesh.walls[wall].cells;
-    std::sort(cells.begin(), cells.end());
-    if (wall != previous && cells[0] != ExteriorVertex)
-    {
-      pairs.push_back(cells);
-    }
-    previous = wall;
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::vector<std::int32_t> counts(numberOfVertices, 0);
-  for (const VertexPair & pair : pairs)
-  {
-    ++counts[pair[0]];
-    ++counts[pair[1]];
+    ++counts[pair.first[0]];
+    ++counts[pair.first[1]];
   }
   return counts;
 }
 
+/** Adds what is measured of the cells' shapes and places. */
+inline void
+AddShapes(vtkFieldData * attributes, const std::vector<CellStatistics> & statistics,
+          const std::vector<VertexId> & vertices)
+{
+  const auto add = [&](const char * name, const auto & valueOf) {
+    AddColumn<vtkTypeFloat64Array>(attributes, name, vertices, [&](VertexId v) { return valueOf(statistics[v]); });
+  };
+  using Shape = const CellStatistics &;
+  add("ExteriorArea", [](Shape cell) { return cell.exteriorArea; });
+  add("CutArea", [](Shape cell) { return cell.cutArea; });
+  AddColumn<vtkTypeInt32Array>(attributes, "Layer", vertices, [&](VertexId v) { return statistics[v].layer; });
+  add("Sphericity", [](Shape cell) { return cell.sphericity; });
+  add("Elongation", [](Shape cell) { return cell.Elongation(); });
+  add("Flatness", [](Shape cell) { return cell.Flatness(); });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const char * const lengths[] = { "MajorAxisLength", "MiddleAxisLength", "MinorAxisLength" };
+    const char * const directions[] = { "MajorAxis", "MiddleAxis", "MinorAxis" };
+    add(lengths[axis], [axis](Shape cell) { return cell.axisLengths[axis]; });
+    AddVectorColumn(attributes, directions[axis], vertices, [&](VertexId v) { return statistics[v].axes[axis]; });
+  }
+  add("MeanCurvature", [](Shape cell) { return cell.curvatures.Mean(); });
+  add("GaussianCurvature", [](Shape cell) { return cell.curvatures.Gaussian(); });
+  add("MaximumCurvature", [](Shape cell) { return cell.curvatures.maximum; });
+  add("MinimumCurvature", [](Shape cell) { return cell.curvatures.minimum; });
+}
+
 /** Adds the columns of MakeCellTable in its order, with one row for each of the given vertices. Values come from the
- * cells of the image, from the check of their surfaces, and from the walls. */
+ * cells of the image, from the check of their surfaces, from the walls, and from their statistics. */
 inline void
 AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, const std::vector<Cell> & cells,
-                  const CellSurfaceCheck & check, const std::vector<VertexId> & vertices)
+                  const CellSurfaceCheck & check, const TissueStatistics & statistics,
+                  const std::vector<VertexId> & vertices)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  RequireStatisticsOf(mesh, cells, statistics);
   if (check.cells.size() != cells.size())
   {
     throw std::invalid_argument("VTK bridge: the check of the cells' surfaces is for " +
@@ -76,7 +106,7 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
   }
   using Vertex = VertexId;
   const std::vector<CellSurface> & surfaces = check.cells;
-  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, cells.size());
+  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, statistics);
   const auto                       add64 = [&](const char * name, std::int64_t Cell::*member) {
     AddColumn<vtkTypeInt64Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member; });
   };
@@ -107,6 +137,7 @@ AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, cons
     attributes, "NumberOfPieces", vertices, [&](Vertex v) { return cells[v].numberOfPieces; });
   add64("NumberOfVoxels", &Cell::numberOfVoxels);
   add64("NumberOfStrayVoxels", &Cell::numberOfStrayVoxels);
+  AddShapes(attributes, statistics.cells, vertices);
   attributes->SetActiveScalars("Label");
 }
 
@@ -154,20 +185,57 @@ InsertPolyhedron(vtkUnstructuredGrid * grid, const std::vector<vtkIdType> & tria
  * | `IsClosed` | UInt8 | as in CellSurface |
  * | `TouchesExterior`, `TouchesBorder` | UInt8 | 1 or 0: in the image, as in Cell |
  * | `NumberOfPieces`, `NumberOfVoxels`, `NumberOfStrayVoxels` | Int32, Int64, Int64 | in the image, as in Cell |
+ * | `ExteriorArea`, `CutArea` | Float64 | area of its walls to the exterior, and of where the tissue is cut there |
+ * | `Layer` | Int32 | 1 in the epidermis, 2 below it, ...; 0 where no wall leads there |
+ * | `Sphericity` | Float64 | 1 for a ball, less for others |
+ * | `Elongation`, `Flatness` | Float64 | the major axis over the middle one, the middle over the minor one |
+ * | `MajorAxisLength`, `MajorAxis`, `MiddleAxisLength`, ... | Float64, 1 and 3 components | as in CellStatistics |
+ * | `MeanCurvature`, `GaussianCurvature`, `MaximumCurvature`, `MinimumCurvature` | Float64 | of the tissue's surface at
+ * a cell of the epidermis |
  *
- * Lengths are in the units of the image. A cell that has no walls has a row too: its `NumberOfTriangles` is 0.
- * `check` is the result of CheckCellSurfaces for `mesh` and `cells.size()`.
- * \throws std::invalid_argument where `check` is for another number, or as RequireConsistentIndices does. */
+ * Lengths are in the units of the image. What cannot be measured is not a number. A cell that has no walls has a row
+ * too: its `NumberOfTriangles` is 0. `check` is the result of CheckCellSurfaces for `mesh` and `cells.size()`,
+ * `statistics` that of MeasureTissue. \throws std::invalid_argument where these are for other numbers, or as
+ * RequireConsistentIndices does. */
 inline vtkSmartPointer<vtkTable>
-MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
+MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check,
+              const TissueStatistics & statistics)
 {
-  std::vector<VertexId> vertices;
-  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  const std::vector<VertexId> vertices = bridge::NumbersOf(ExteriorVertex + 1, cells.size());
+  vtkSmartPointer<vtkTable>   table = vtkSmartPointer<vtkTable>::New();
+  bridge::AddCellStatistics(table->GetRowData(), mesh, cells, check, statistics, vertices);
+  return table;
+}
+
+/** \brief Makes a table with one row for each two cells of the tissue that share walls, in ascending order of the
+ * labels: the edges of the graph of neighbours.
+ *
+ * | column | type | meaning |
+ * |---|---|---|
+ * | `Label0`, `Label1` | Int64 | labels of the two cells, ascending |
+ * | `weight` | Float64 | area of their walls: the name that programs for graphs know |
+ * | `NumberOfWalls` | Int32 | as two cells may have several |
+ *
+ * \throws std::invalid_argument where `statistics`, the result of MeasureTissue, is for other numbers, or as
+ * RequireConsistentIndices does. */
+inline vtkSmartPointer<vtkTable>
+MakeNeighborTable(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
+{
+  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  bridge::RequireStatisticsOf(mesh, cells, statistics);
+  using Pair = std::pair<VertexPair, bridge::NeighborPair>;
+  const auto              map = bridge::FindNeighborPairs(mesh, statistics.walls);
+  const std::vector<Pair> pairs(map.begin(), map.end());
+  const auto              table = vtkSmartPointer<vtkTable>::New();
+  vtkFieldData * const    rows = table->GetRowData();
+  for (int side = 0; side < 2; ++side)
   {
-    vertices.push_back(static_cast<VertexId>(v));
+    bridge::AddColumn<bridge::LabelArray>(
+      rows, side == 0 ? "Label0" : "Label1", pairs, [&](const Pair & pair) { return cells[pair.first[side]].label; });
   }
-  vtkSmartPointer<vtkTable> table = vtkSmartPointer<vtkTable>::New();
-  bridge::AddCellStatistics(table->GetRowData(), mesh, cells, check, vertices);
+  bridge::AddColumn<vtkTypeFloat64Array>(rows, "weight", pairs, [](const Pair & pair) { return pair.second.area; });
+  bridge::AddColumn<vtkTypeInt32Array>(
+    rows, "NumberOfWalls", pairs, [](const Pair & pair) { return pair.second.numberOfWalls; });
   return table;
 }
 
@@ -178,10 +246,11 @@ MakeCellTable(const WallMesh & mesh, const std::vector<Cell> & cells, const Cell
  *
  * The points are those of MakeWallPolyData, the faces the triangles of the cell's walls, turned outwards. The cell
  * arrays are the columns of MakeCellTable. There is no array of text, so that meshio reads the file. A cell without a
- * triangle is left out; one that is not closed is kept, and its `IsClosed` is 0. `check` is the result of
- * CheckCellSurfaces for `mesh` and `cells.size()`. */
+ * triangle is left out; one that is not closed is kept, and its `IsClosed` is 0. `check` and `statistics` are those of
+ * MakeCellTable. */
 inline vtkSmartPointer<vtkUnstructuredGrid>
-MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check)
+MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check,
+             const TissueStatistics & statistics)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
   std::vector<std::vector<vtkIdType>> trianglesOfCell(cells.size());
@@ -214,7 +283,7 @@ MakeCellGrid(const WallMesh & mesh, const std::vector<Cell> & cells, const CellS
   {
     bridge::InsertPolyhedron(grid, trianglesOfCell[v]);
   }
-  bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, vertices);
+  bridge::AddCellStatistics(grid->GetCellData(), mesh, cells, check, statistics, vertices);
   return grid;
 }
 } // namespace tissue

@@ -12,6 +12,8 @@
 #include <vtkCell.h>
 #include <vtkIdList.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -76,6 +78,8 @@ TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
   EXPECT_EQ(data->GetScalars()->GetNumberOfComponents(), 1);
   ASSERT_NE(data->GetArray("BoundaryLabels"), nullptr);
   EXPECT_EQ(data->GetArray("BoundaryLabels")->GetNumberOfComponents(), 2);
+  EXPECT_NE(data->GetArray("WallPlanarity"), nullptr);
+  EXPECT_EQ(data->GetArray("WallCutArea"), nullptr); // what is cut is not known of walls alone
 
   std::map<int, int> trianglesOfWall;
   for (vtkIdType t = 0; t < 40; ++t)
@@ -83,6 +87,8 @@ TEST(TissueTessellationVTKBridge, WallsHaveTheirArrays)
     const double first = GetValue(data, "BoundaryLabels", t, 0);
     const double second = GetValue(data, "BoundaryLabels", t, 1);
     EXPECT_EQ(GetValue(data, "Label", t), first);
+    EXPECT_EQ(GetValue(data, "Label0", t), first);
+    EXPECT_EQ(GetValue(data, "Label1", t), second);
     EXPECT_NE(first, 7.0);
     EXPECT_TRUE(second == 7.0 || first < second);
     EXPECT_DOUBLE_EQ(GetValue(data, "WallArea", t), second == 7.0 ? 4.0 : 1.0);
@@ -135,7 +141,7 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
 {
   const FourCubes tissue;
   const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
-  const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check);
+  const auto      grid = tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(grid->GetNumberOfCells(), 4);
   EXPECT_EQ(GetSpace(grid), "") << "Programs that read no text arrays are to read it.";
   vtkCellData * data = grid->GetCellData();
@@ -169,6 +175,18 @@ TEST(TissueTessellationVTKBridge, EachCellIsAClosedPolyhedronWithItsStatistics)
     EXPECT_EQ(GetValue(data, "NumberOfPieces", c), c == 3 ? 3.0 : 1.0);
     EXPECT_EQ(GetValue(data, "NumberOfVoxels", c), 1001.0 + c);
     EXPECT_EQ(GetValue(data, "NumberOfStrayVoxels", c), c == 3 ? 5.0 : 0.0);
+    EXPECT_DOUBLE_EQ(GetValue(data, "ExteriorArea", c), 4.0);
+    EXPECT_EQ(GetValue(data, "CutArea", c), 0.0);
+    EXPECT_EQ(GetValue(data, "Layer", c), 1.0);
+    EXPECT_NEAR(GetValue(data, "Sphericity", c), 0.805996, 1e-6); // of a cube
+    EXPECT_NEAR(GetValue(data, "Elongation", c), 1.0, 1e-9);
+    EXPECT_NEAR(GetValue(data, "Flatness", c), 1.0, 1e-9);
+    for (const std::string axis : { "MajorAxis", "MiddleAxis", "MinorAxis" })
+    {
+      EXPECT_NEAR(GetValue(data, (axis + "Length").c_str(), c), std::sqrt(5.0 / 3.0), 1e-9);
+      ASSERT_EQ(data->GetArray(axis.c_str())->GetNumberOfComponents(), 3);
+      EXPECT_STREQ(data->GetArray(axis.c_str())->GetComponentName(2), "Z");
+    }
   }
 }
 
@@ -179,7 +197,7 @@ TEST(TissueTessellationVTKBridge, TheSurfacesOfCellsAreApartAndCanBeMovedApart)
   using tissue::  operator*;
   const FourCubes tissue;
   const auto      check = tissue::CheckCellSurfaces(tissue.mesh, 5);
-  const auto      surfaces = tissue::MakeCellSurfaces(tissue.mesh, tissue.cells, check);
+  const auto      surfaces = tissue::MakeCellSurfaces(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(surfaces->GetNumberOfCells(), 48);
   ASSERT_EQ(surfaces->GetNumberOfPoints(), 32);
   EXPECT_EQ(GetSpace(surfaces), "LPS");
@@ -216,12 +234,87 @@ TEST(TissueTessellationVTKBridge, ACellWithoutTrianglesHasARowButNoPolyhedron)
   tissue.cells.insert(tissue.cells.end(), tissue::Cell());
   tissue.cells[5].label = 50;
   const auto check = tissue::CheckCellSurfaces(tissue.mesh, 6);
-  EXPECT_EQ(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check)->GetNumberOfCells(), 4);
-  const auto table = tissue::MakeCellTable(tissue.mesh, tissue.cells, check);
+  EXPECT_EQ(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, tissue.Statistics())->GetNumberOfCells(), 4);
+  const auto table = tissue::MakeCellTable(tissue.mesh, tissue.cells, check, tissue.Statistics());
   ASSERT_EQ(table->GetNumberOfRows(), 5);
   EXPECT_EQ(GetValue(table->GetRowData(), "Label", 4), 50.0);
   EXPECT_EQ(GetValue(table->GetRowData(), "NumberOfTriangles", 4), 0.0);
   EXPECT_EQ(GetValue(table->GetRowData(), "IsClosed", 4), 0.0);
+}
+
+TEST(TissueTessellationVTKBridge, CurvaturesOfCellsThatHaveNoneAreNoNumbers)
+{
+  const FourCubes tissue;
+  auto            statistics = tissue.Statistics();
+  statistics.cells[2].curvatures = { 3.0, 1.0 };
+  statistics.cells[3].curvatures = tissue::Curvatures();
+  const auto table =
+    tissue::MakeCellTable(tissue.mesh, tissue.cells, tissue::CheckCellSurfaces(tissue.mesh, 5), statistics);
+  const std::map<std::string, double> expected{
+    { "MeanCurvature", 2.0 }, { "GaussianCurvature", 3.0 }, { "MaximumCurvature", 3.0 }, { "MinimumCurvature", 1.0 }
+  };
+  for (const auto & column : expected)
+  {
+    EXPECT_EQ(GetValue(table->GetRowData(), column.first.c_str(), 1), column.second);
+    EXPECT_TRUE(std::isnan(GetValue(table->GetRowData(), column.first.c_str(), 2))) << column.first;
+  }
+}
+
+TEST(TissueTessellationVTKBridge, EachWallHasARowAndItsStatisticsOnItsTriangles)
+{
+  const FourCubes tissue;
+  const auto      statistics = tissue.Statistics();
+  const auto      table = tissue::MakeWallTable(tissue.mesh, tissue.cells, statistics);
+  const auto      walls = tissue::MakeWallPolyData(tissue.mesh, tissue.cells, statistics);
+  ASSERT_EQ(table->GetNumberOfRows(), 8);
+  for (vtkIdType row = 0; row < 8; ++row)
+  {
+    vtkDataSetAttributes * rows = table->GetRowData();
+    const auto &           expected = statistics.walls[row];
+    EXPECT_EQ(GetValue(rows, "WallId", row), static_cast<double>(row));
+    EXPECT_EQ(GetValue(rows, "Label0", row), tissue.cells[tissue.mesh.walls[row].cells[0]].label);
+    EXPECT_EQ(GetValue(rows, "Label1", row), tissue.cells[tissue.mesh.walls[row].cells[1]].label);
+    EXPECT_EQ(GetValue(rows, "Area", row), expected.area);
+    EXPECT_EQ(GetValue(rows, "Center", row, 1), expected.center[1]);
+    EXPECT_EQ(GetValue(rows, "Normal", row, 2), expected.normal[2]);
+    EXPECT_EQ(GetValue(rows, "Planarity", row), expected.planarity);
+    EXPECT_EQ(GetValue(rows, "PlaneDistance", row), expected.planeDistance);
+    EXPECT_EQ(std::isnan(GetValue(rows, "MeanCurvature", row)), std::isnan(expected.meanCurvature));
+    EXPECT_EQ(GetValue(rows, "CutArea", row), 0.0);
+  }
+  for (vtkIdType t = 0; t < walls->GetNumberOfCells(); ++t)
+  {
+    const auto & expected = statistics.walls[static_cast<std::size_t>(GetValue(walls->GetCellData(), "WallId", t))];
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallPlanarity", t), expected.planarity);
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallPlaneDistance", t), expected.planeDistance);
+    EXPECT_EQ(GetValue(walls->GetCellData(), "WallCutArea", t), 0.0);
+    ASSERT_NE(walls->GetCellData()->GetArray("WallMeanCurvature"), nullptr);
+  }
+}
+
+TEST(TissueTessellationVTKBridge, TheNeighborsAreThePairsOfCellsThatShareWalls)
+{
+  FourCubes tissue;
+  // A second wall of the cells 3 and 4, half of the first.
+  const auto first = std::find_if(tissue.mesh.walls.begin(), tissue.mesh.walls.end(), [](const auto & wall) {
+    return wall.cells == tissue::VertexPair{ { 3, 4 } };
+  });
+  const auto number = static_cast<tissue::WallId>(first - tissue.mesh.walls.begin());
+  tissue.mesh.walls.push_back(tissue::WallMesh::Wall{ { { 3, 4 } } });
+  *std::find(tissue.mesh.wallOfTriangle.begin(), tissue.mesh.wallOfTriangle.end(), number) = 8;
+  const auto table = tissue::MakeNeighborTable(tissue.mesh, tissue.cells, tissue.Statistics());
+  ASSERT_EQ(table->GetNumberOfRows(), 4);
+  std::map<std::array<int, 2>, int> walls;
+  for (vtkIdType row = 0; row < 4; ++row)
+  {
+    vtkDataSetAttributes * rows = table->GetRowData();
+    EXPECT_DOUBLE_EQ(GetValue(rows, "weight", row), 1.0);
+    walls[{ { static_cast<int>(GetValue(rows, "Label0", row)), static_cast<int>(GetValue(rows, "Label1", row)) } }] =
+      static_cast<int>(GetValue(rows, "NumberOfWalls", row));
+  }
+  EXPECT_EQ(walls,
+            (std::map<std::array<int, 2>, int>{
+              { { { 10, 20 } }, 1 }, { { { 10, 30 } }, 1 }, { { { 20, 40 } }, 1 }, { { { 30, 40 } }, 2 } }));
 }
 
 TEST(TissueTessellationVTKBridge, TetrahedraWithTheExteriorAreTrianglesOfTheSurface)
@@ -261,11 +354,20 @@ TEST(TissueTessellationVTKBridge, WhatDoesNotFitTogetherIsRefused)
 {
   FourCubes  tissue;
   const auto check = tissue::CheckCellSurfaces(tissue.mesh, 5);
+  const auto statistics = tissue.Statistics();
   EXPECT_THROW(tissue::MakeComplexGrid({ { { 1, 2, 3, 5 } } }, tissue.cells), std::invalid_argument);
   EXPECT_THROW(tissue::MakeComplexGrid({ { { -1, 2, 3, 4 } } }, tissue.cells), std::invalid_argument);
+  const auto refuse = [&](const auto & make) { EXPECT_THROW(make(), std::invalid_argument); };
+  const auto refuseAll = [&] {
+    refuse([&] { tissue::MakeCellTable(tissue.mesh, tissue.cells, check, statistics); });
+    refuse([&] { tissue::MakeCellGrid(tissue.mesh, tissue.cells, check, statistics); });
+    refuse([&] { tissue::MakeWallTable(tissue.mesh, tissue.cells, statistics); });
+    refuse([&] { tissue::MakeWallPolyData(tissue.mesh, tissue.cells, statistics); });
+  };
   tissue.cells.push_back(tissue::Cell());
-  EXPECT_THROW(tissue::MakeCellTable(tissue.mesh, tissue.cells, check), std::invalid_argument);
+  refuseAll();
   tissue.cells.resize(4);
-  EXPECT_THROW(tissue::MakeWallPolyData(tissue.mesh, tissue.cells), std::invalid_argument);
-  EXPECT_THROW(tissue::MakeCellGrid(tissue.mesh, tissue.cells, check), std::invalid_argument);
+  refuseAll();
+  refuse([&] { tissue::MakeWallPolyData(tissue.mesh, tissue.cells); });
+  refuse([&] { tissue::MakeNeighborTable(tissue.mesh, tissue.cells, statistics); });
 }

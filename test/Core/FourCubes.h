@@ -8,6 +8,7 @@
 #define FourCubes_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Statistics/TissueStatistics.h"
 #include "VoxelWallMesh.h"
 
 /** \brief Four unit cubes around the edge x = y = 1, in a tissue whose labels have gaps.
@@ -33,6 +34,12 @@ struct FourCubes
     cells[3].touchesBorder = true;
     cells[4].numberOfPieces = 3;
     cells[4].numberOfStrayVoxels = 5;
+  }
+
+  tissue::TissueStatistics
+  Statistics() const
+  {
+    return tissue::MeasureTissue(mesh, cells, tissue::ImageGrid());
   }
 };
 

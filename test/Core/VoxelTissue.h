@@ -126,6 +126,7 @@ JunctionsOf(const LabelVolume & volume)
   {
     junction.position = volume.ToPhysical(junction.position);
   }
+  set.grid = { volume.size, volume.origin, volume.steps };
   return set;
 }
 

@@ -149,6 +149,15 @@ TEST(LabelJunctionExtraction, SpacingOriginDirectionAndStartIndexAreApplied)
     EXPECT_EQ(turned.junctions[i].cells, plain.junctions[i].cells);
     expectTransformed(plain.junctions[i].position, turned.junctions[i].position);
   }
+  const auto size = image->GetLargestPossibleRegion().GetSize();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(turned.grid.size[axis], static_cast<std::int32_t>(size[axis]));
+  }
+  expectTransformed({ { 0.0, 0.0, 0.0 } }, turned.grid.origin);
+  ExpectPoint(turned.grid.steps[0], 0.0, 2.0, 0.0);
+  ExpectPoint(turned.grid.steps[1], -0.5, 0.0, 0.0);
+  ExpectPoint(turned.grid.steps[2], 0.0, 0.0, 3.0);
   // The wall 10-20 is normal to the image's x, whose faces are 0.5 * 3; the wall 10-30 to y: 2 * 3.
   ASSERT_EQ(turned.walls.size(), plain.walls.size());
   EXPECT_DOUBLE_EQ(turned.walls[4].area, 16 * 1.5);

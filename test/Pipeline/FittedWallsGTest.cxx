@@ -9,7 +9,7 @@
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "itkCellWallMeshEvaluationCalculator.h"
 #include "itkImageRegionIteratorWithIndex.h"

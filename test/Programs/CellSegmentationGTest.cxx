@@ -32,7 +32,7 @@ class CellSegmentationTest : public TemporaryFolderTest
 protected:
   CellSegmentationTest()
     : m_Check(CheckCellSurfaces(m_Tissue.mesh, static_cast<VertexId>(m_Tissue.cells.size())))
-    , m_Grid(MakeCellGrid(m_Tissue.mesh, m_Tissue.cells, m_Check))
+    , m_Grid(MakeCellGrid(m_Tissue.mesh, m_Tissue.cells, m_Check, m_Tissue.Statistics()))
   {
     for (std::size_t v = 1; v < m_Tissue.cells.size(); ++v)
     {

@@ -32,7 +32,13 @@ protected:
     m_Program = program;
     EXPECT_EQ(this->Run("--xml"), 0) << program;
     EXPECT_EQ(m_Errors, "") << program;
-    return SlicerModuleXML(m_Output);
+    const SlicerModuleXML module(m_Output);
+    std::set<std::string> names;
+    for (const SlicerParameter & parameter : module.parameters)
+    {
+      EXPECT_TRUE(names.insert(parameter.Text("name")).second) << parameter.Text("name");
+    }
+    return module;
   }
 
   /** Runs a program in Slicer's way, which must tell its progress and its results. */
@@ -77,6 +83,7 @@ TEST_F(SlicerModules, LeaveOutWhatMakesNoSenseInSlicer)
   EXPECT_EQ(ofLabels.Find("labels").tag, "image");
   EXPECT_EQ(ofLabels.Find("walls").tag, "geometry");
   EXPECT_EQ(ofLabels.Find("statistics").tag, "table");
+  EXPECT_EQ(ofLabels.Find("wallStatistics").tag, "table");
   EXPECT_EQ(ofLabels.Find("channel").tag, "string");
   EXPECT_EQ(ofLabels.Find("exteriorLabel").tag, "integer-vector");
   EXPECT_EQ(ofLabels.Find("dropCells").tag, "string-vector");

@@ -36,15 +36,15 @@ protected:
   }
 };
 
-const std::string AllOutputs =
-  " walls.vtp --complex complex.vtu --cells cells.vtu --statistics cells.csv --report report.json ";
+const std::string AllOutputs = " walls.vtp --complex complex.vtu --cells cells.vtu --statistics cells.csv "
+                               "--walls walls.csv --graph graph.graphml --report report.json ";
 } // namespace
 
 TEST_F(TissueTessellationApp, WritesAllThatIsAskedFor)
 {
   this->WriteTissue<unsigned short>("tissue.mha");
   ASSERT_EQ(this->Run("tissue.mha" + AllOutputs), 0) << m_Errors;
-  EXPECT_EQ(this->List(), "cells.csv cells.vtu complex.vtu report.json tissue.mha walls.vtp ");
+  EXPECT_EQ(this->List(), "cells.csv cells.vtu complex.vtu graph.graphml report.json tissue.mha walls.csv walls.vtp ");
   EXPECT_EQ(m_Errors, "");
   for (const char * said : { "40 cells", "0.5 x 0.5 x 1", "optimized", "walls.vtp (cell walls)", "report.json" })
   {
@@ -114,7 +114,8 @@ TEST_F(TissueTessellationApp, GivesTheSameBytesForAnyNumberOfThreads)
     Json report = this->ReadReport();
     ASSERT_EQ(report.erase("seconds"), 1u);
     std::ofstream(this->PathOf("report.json")) << report;
-    for (const char * name : { "walls.vtp", "complex.vtu", "cells.vtu", "cells.csv", "report.json" })
+    for (const char * name :
+         { "walls.vtp", "complex.vtu", "cells.vtu", "cells.csv", "walls.csv", "graph.graphml", "report.json" })
     {
       const std::string bytes = ReadBytes(this->PathOf(name));
       EXPECT_TRUE(first.emplace(name, bytes).first->second == bytes) << name << ", threads " << threads;

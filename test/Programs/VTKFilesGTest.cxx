@@ -68,7 +68,7 @@ TEST_F(VTKFilesTest, WallsReadBackAsTheyWere)
 TEST_F(VTKFilesTest, PolyhedraReadBackAsTheyWere)
 {
   const auto check = tissue::CheckCellSurfaces(m_Tissue.mesh, 5);
-  tissue::WriteXML(tissue::MakeCellGrid(m_Tissue.mesh, m_Tissue.cells, check), PathOf("a.vtu"));
+  tissue::WriteXML(tissue::MakeCellGrid(m_Tissue.mesh, m_Tissue.cells, check, m_Tissue.Statistics()), PathOf("a.vtu"));
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(PathOf("a.vtu").c_str());
   reader->Update();
@@ -83,7 +83,7 @@ TEST_F(VTKFilesTest, TheTableIsCommaSeparatedWithExactNumbers)
   FourCubes tissue;
   tissue.cells[1].center[0] = 123456.78901234567;
   const auto check = tissue::CheckCellSurfaces(tissue.mesh, 5);
-  tissue::WriteCSV(tissue::MakeCellTable(tissue.mesh, tissue.cells, check), PathOf("a.csv"));
+  tissue::WriteCSV(tissue::MakeCellTable(tissue.mesh, tissue.cells, check, tissue.Statistics()), PathOf("a.csv"));
   std::ifstream file(PathOf("a.csv"));
   std::string   header;
   std::string   row;
@@ -93,8 +93,10 @@ TEST_F(VTKFilesTest, TheTableIsCommaSeparatedWithExactNumbers)
     header,
     "Label,CenterX,CenterY,CenterZ,Volume,ImageVolume,SurfaceArea,NumberOfNeighbors,NumberOfTriangles,"
     "EulerCharacteristic,MinimumDihedralAngle,IsClosed,TouchesExterior,TouchesBorder,NumberOfPieces,NumberOfVoxels,"
-    "NumberOfStrayVoxels");
-  EXPECT_EQ(row, "10,123456.78901234567,0.5,0.5,1,0.875,6,2,12,2,90,1,1,0,1,1001,0");
+    "NumberOfStrayVoxels,ExteriorArea,CutArea,Layer,Sphericity,Elongation,Flatness,MajorAxisLength,MajorAxisX,"
+    "MajorAxisY,MajorAxisZ,MiddleAxisLength,MiddleAxisX,MiddleAxisY,MiddleAxisZ,MinorAxisLength,MinorAxisX,MinorAxisY,"
+    "MinorAxisZ,MeanCurvature,GaussianCurvature,MaximumCurvature,MinimumCurvature");
+  EXPECT_EQ(row.substr(0, 71), "10,123456.78901234567,0.5,0.5,1,0.875,6,2,12,2,90,1,1,0,1,1001,0,4,0,1,");
 }
 
 TEST_F(VTKFilesTest, TextInTheTableIsQuotedWhereItMustBe)
@@ -122,7 +124,7 @@ TEST_F(VTKFilesTest, AFullDiskIsAnErrorAndLeavesNothing)
   small.rlim_cur = 100;
   const auto walls = tissue::MakeWallPolyData(m_Tissue.mesh, m_Tissue.cells);
   const auto check = tissue::CheckCellSurfaces(m_Tissue.mesh, 5);
-  const auto table = tissue::MakeCellTable(m_Tissue.mesh, m_Tissue.cells, check);
+  const auto table = tissue::MakeCellTable(m_Tissue.mesh, m_Tissue.cells, check, m_Tissue.Statistics());
   setrlimit(RLIMIT_FSIZE, &small);
   std::vector<std::string> errors;
   for (const std::string name : { "a.vtp", "a.csv" })

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Shared/Files/VTKFiles.h"
 
+#include "Shared/Files/TableColumns.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -23,7 +25,6 @@
 #include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVariant.h>
@@ -33,7 +34,6 @@
 #include <vtkXMLWriterBase.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 
@@ -84,37 +84,6 @@ AppendText(std::string & row, const std::string & text)
   row += '"';
 }
 
-void
-AppendValue(std::string & row, vtkAbstractArray * values, vtkIdType index)
-{
-  if (auto * const texts = vtkStringArray::SafeDownCast(values))
-  {
-    AppendText(row, texts->GetValue(index));
-    return;
-  }
-  vtkDataArray * const column = vtkDataArray::SafeDownCast(values);
-  if (column->GetDataType() != VTK_DOUBLE)
-  {
-    row += std::to_string(column->GetVariantValue(index).ToTypeInt64());
-    return;
-  }
-  char       text[32];
-  const auto end = std::to_chars(text, text + sizeof(text), column->GetComponent(index, 0)).ptr;
-  row.append(text, end);
-}
-
-void
-WriteBytes(const std::string & bytes, const std::string & path)
-{
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << bytes << std::flush;
-  if (!file)
-  {
-    throw std::runtime_error(std::strerror(errno));
-  }
-}
-
 /** Forgets what VTK has noted with the arrays, their ranges: it would be written, or not, by what happened before. */
 void
 ClearNotes(vtkFieldData * arrays)
@@ -124,7 +93,6 @@ ClearNotes(vtkFieldData * arrays)
     arrays->GetAbstractArray(i)->GetInformation()->Clear();
   }
 }
-
 void
 ClearAllNotes(vtkPointSet * data)
 {
@@ -144,6 +112,18 @@ WriteAppended(vtkXMLWriterBase * writer, vtkDataObject * data, const std::string
   WriteOrThrow(writer, path);
 }
 } // namespace
+
+void
+WriteBytes(const std::string & bytes, const std::string & path)
+{
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << bytes << std::flush;
+  if (!file)
+  {
+    throw std::runtime_error(std::strerror(errno));
+  }
+}
 
 void
 WriteXML(vtkPointSet * data, const std::string & path)
@@ -183,18 +163,20 @@ WriteStl(vtkPolyData * data, const std::string & path)
 void
 WriteCSV(vtkTable * table, const std::string & path)
 {
-  std::string text;
-  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  const std::vector<TableColumn> columns = ListColumns(table);
+  std::string                    text;
+  for (std::size_t c = 0; c < columns.size(); ++c)
   {
-    text += (column == 0 ? "" : ",") + std::string(table->GetColumnName(column));
+    text += c == 0 ? "" : ",";
+    AppendText(text, columns[c].name);
   }
   text += '\n';
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    for (std::size_t c = 0; c < columns.size(); ++c)
     {
-      text += column == 0 ? "" : ",";
-      AppendValue(text, table->GetColumn(column), row);
+      text += c == 0 ? "" : ",";
+      AppendText(text, ToText(columns[c], row));
     }
     text += '\n';
   }

@@ -27,9 +27,12 @@ WriteXML(vtkPointSet * data, const std::string & path);
 void
 WriteXML(vtkMultiBlockDataSet * data, const std::string & path);
 
-/** Writes a table of one-component numbers and of text as comma-separated values under a line of the column names;
- * floating-point numbers in the shortest form that reads back as the same number, text in quotes where it must be (RFC
- * 4180). Throws std::runtime_error. */
+/** Writes bytes as they are. Throws std::runtime_error. */
+void
+WriteBytes(const std::string & bytes, const std::string & path);
+
+/** Writes a table of numbers and of text as comma-separated values (TableColumns.h) under a line of the column names,
+ * text in quotes where it must be (RFC 4180). Throws std::runtime_error. */
 void
 WriteCSV(vtkTable * table, const std::string & path);
 

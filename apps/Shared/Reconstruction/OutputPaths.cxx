@@ -27,6 +27,8 @@ OutputPaths::List() const
                                { cells, "cells" },
                                { cellSurfaces, "surfaces of the cells" },
                                { statistics, "statistics of the cells" },
+                               { wallStatistics, "statistics of the walls" },
+                               { graph, "graph of neighbours" },
                                { junctions, "junctions" },
                                { report, "report" },
                                { picture, "picture" },
@@ -89,6 +91,12 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
     ->type_name("LABELS")
     ->group("Further outputs");
   add("--statistics", paths.statistics, { ".csv" }, "The cells' statistics, one row a cell");
+  // A module of Slicer needs another name than that of the mesh.
+  add("--wallStatistics,--walls", paths.wallStatistics, { ".csv" }, "The walls' statistics, one row a wall");
+  add("--graph",
+      paths.graph,
+      { ".graphml" },
+      "Which cells are neighbours: a node a cell with its statistics, an edge by the area of two cells' walls");
   add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
   add("--report", paths.report, { ".json" }, "Report of the run");
   add("--picture", paths.picture, { ".png" }, "Picture of the tissue; needs an X display, such as xvfb-run gives");

@@ -24,6 +24,8 @@ struct OutputPaths
   std::string cells;
   std::string cellSurfaces;
   std::string statistics;
+  std::string wallStatistics;
+  std::string graph;
   std::string junctions;
   std::string report;
   std::string picture;

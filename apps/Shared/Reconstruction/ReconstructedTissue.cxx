@@ -36,9 +36,11 @@ Reconstruct(const TissueInput & input, itk::TissueLabelVolume::Pointer volume,
   return WithFileName(input.file, [&] {
     ReconstructedTissue tissue;
     tissue.mesh = MakeMesh(input, std::move(volume), parameters, progress);
-    Stopwatch  timer;
-    const auto numberOfVertices = static_cast<VertexId>(input.GetJunctionSet().cells.size());
-    tissue.check = CheckCellSurfaces(tissue.mesh->GetWallMesh(), numberOfVertices);
+    Stopwatch           timer;
+    const JunctionSet & junctions = input.GetJunctionSet();
+    const WallMesh &    walls = tissue.mesh->GetWallMesh();
+    tissue.check = CheckCellSurfaces(walls, junctions.NumberOfVertices());
+    tissue.statistics = MeasureTissue(walls, junctions.cells, junctions.grid);
     tissue.checkSeconds = timer.Lap().wallSeconds;
     return tissue;
   });

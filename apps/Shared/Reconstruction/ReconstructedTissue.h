@@ -11,6 +11,7 @@
 #include "Shared/Reconstruction/TissueInput.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Reconstruction/ReconstructionParameters.h"
+#include "TissueTessellationCore/Statistics/TissueStatistics.h"
 #include "itkCellWallMesh.h"
 
 namespace tissue
@@ -20,7 +21,8 @@ struct ReconstructedTissue
 {
   itk::CellWallMesh::Pointer mesh;
   CellSurfaceCheck           check;
-  /** Time on the wall of the check. */
+  TissueStatistics           statistics;
+  /** Time on the wall of the check and the statistics. */
   double checkSeconds = 0.0;
 };
 

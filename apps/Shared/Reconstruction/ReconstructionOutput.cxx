@@ -7,6 +7,7 @@
 #include "Shared/Reconstruction/ReconstructionOutput.h"
 
 #include "Shared/Exports/MeshExport.h"
+#include "Shared/Files/GraphFile.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
@@ -93,7 +94,7 @@ AddCells(const std::string & path, const ReconstructionReport & report, OutputFi
 {
   const WallMesh &          walls = report.GetReconstruction().walls;
   const std::vector<Cell> & cells = report.GetCells();
-  const auto                grid = MakeCellGrid(walls, cells, report.tissue.check);
+  const auto                grid = MakeCellGrid(walls, cells, report.tissue.check, report.tissue.statistics);
   if (IsSegmentation(path))
   {
     const auto segmentation = MakeCellSegmentation(grid, ColorByLabel(walls, cells), report.input.names);
@@ -111,6 +112,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   const TissueReconstruction & reconstruction = report.GetReconstruction();
   const WallMesh &             walls = reconstruction.walls;
   const CellSurfaceCheck &     check = report.tissue.check;
+  const TissueStatistics &     statistics = report.tissue.statistics;
   const std::vector<Cell> &    cells = report.GetCells();
   OutputFiles                  files;
   const auto                   add = [&files](const std::string & path, const OutputFiles::Writer & write) {
@@ -120,7 +122,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     }
   };
   progress.Begin("Writing");
-  add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells), path); });
+  add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells, statistics), path); });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
   if (!paths.cells.empty())
@@ -128,7 +130,7 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     AddCells(paths.cells, report, files);
   }
   add(paths.cellSurfaces, [&](const std::string & path) {
-    const auto surfaces = MakeCellSurfaces(walls, cells, check);
+    const auto surfaces = MakeCellSurfaces(walls, cells, check, statistics);
     AddNames(surfaces->GetCellData(), report.input.names);
     WriteXML(surfaces, path);
   });
@@ -137,10 +139,15 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   {
     files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });
   }
-  add(paths.statistics, [&](const std::string & path) {
-    const auto table = MakeCellTable(walls, cells, check);
+  const auto makeCellTable = [&] {
+    const auto table = MakeCellTable(walls, cells, check, statistics);
     AddNames(table->GetRowData(), report.input.names);
-    WriteCSV(table, path);
+    return table;
+  };
+  add(paths.statistics, [&](const std::string & path) { WriteCSV(makeCellTable(), path); });
+  add(paths.wallStatistics, [&](const std::string & path) { WriteCSV(MakeWallTable(walls, cells, statistics), path); });
+  add(paths.graph, [&](const std::string & path) {
+    WriteGraphML(makeCellTable(), MakeNeighborTable(walls, cells, statistics), path);
   });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });

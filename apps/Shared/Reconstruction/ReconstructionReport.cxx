@@ -13,6 +13,7 @@
 #include <itkMultiThreaderBase.h>
 
 #include <cmath>
+#include <map>
 
 namespace tissue
 {
@@ -84,6 +85,40 @@ SharpPlacesToJson(const TissueReconstruction & reconstruction, const std::vector
   return places;
 }
 
+/** The numbers of cells of each layer, from the epidermis on; cells of no layer are in none. */
+Json
+LayersToJson(const std::vector<CellStatistics> & cells)
+{
+  std::map<std::int32_t, std::size_t> counts;
+  for (std::size_t v = 1; v < cells.size(); ++v)
+  {
+    ++counts[cells[v].layer];
+  }
+  Json json = Json::array();
+  for (const auto & entry : counts)
+  {
+    if (entry.first > 0)
+    {
+      json.push_back(entry.second);
+    }
+  }
+  return json;
+}
+
+/** Areas of the tissue's surface, voids included, and of where the tissue is cut. */
+Json
+SurfaceToJson(const std::vector<CellStatistics> & cells)
+{
+  double exteriorArea = 0.0;
+  double cutArea = 0.0;
+  for (const CellStatistics & cell : cells)
+  {
+    exteriorArea += cell.exteriorArea;
+    cutArea += cell.cutArea;
+  }
+  return { { "exteriorArea", exteriorArea }, { "cutArea", cutArea }, { "cellsOfLayers", LayersToJson(cells) } };
+}
+
 Json
 MeshToJson(const ReconstructionReport & report)
 {
@@ -109,6 +144,7 @@ MeshToJson(const ReconstructionReport & report)
            { "minimumDihedralAngle", check.angles.minimumDihedralAngle },
            { "edgeLengthRatio", check.angles.EdgeLengthRatio() },
            { "sharpPlaces", SharpPlacesToJson(reconstruction, cells) },
+           { "surface", SurfaceToJson(report.tissue.statistics.cells) },
            { "trianglesPerCell", static_cast<double>(mesh.triangles.size()) / static_cast<double>(cells.size() - 1) },
            { "pointsWithMoreThanFourCells", check.crowdedPoints.size() },
            { "degenerateTriangles", check.numberOfDegenerateTriangles },

@@ -13,6 +13,16 @@
 
 namespace tissue
 {
+/** The place of an image's voxels in physical space. Of no image the size is 0. */
+struct ImageGrid
+{
+  std::array<std::int32_t, 3> size = { { 0, 0, 0 } };
+  /** The centre of the first voxel. */
+  Point origin = { { 0.0, 0.0, 0.0 } };
+  /** The step to the next voxel along each axis of the image. */
+  std::array<Point, 3> steps = { { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } } };
+};
+
 /** A cell as the label image shows it. The exterior is the cell at index ExteriorVertex. Its largest piece is the one
  * around the tissue, the outside of the image included; its other pieces are voids that the tissue encloses. */
 struct Cell
@@ -96,6 +106,8 @@ struct JunctionSet
   std::vector<JunctionVote> votes;
   /** The number of 2x2x2 blocks with more than four labels. */
   std::int64_t numberOfCrowdedBlocks = 0;
+  /** Of the image that all this is from. */
+  ImageGrid grid;
   /** All labels that stand for the exterior, ascending, whether the image has them or not. */
   std::vector<Label> exteriorLabels;
 

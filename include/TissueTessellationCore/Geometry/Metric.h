@@ -22,6 +22,20 @@ QuadraticForm(const Metric & m, const Point & v)
          m[5] * v[2] * v[2];
 }
 
+/** Adds w v v' to a matrix. */
+inline void
+AddOuterProduct(double w, const Point & v, Metric & matrix)
+{
+  std::size_t entry = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = i; j < 3; ++j)
+    {
+      matrix[entry++] += w * v[i] * v[j];
+    }
+  }
+}
+
 inline Metric
 Inverse(const Metric & m)
 {
@@ -59,16 +73,7 @@ MapEigenvalues(const Metric & matrix, const TFunction & function)
   Metric               result = { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
   for (int k = 0; k < 3; ++k)
   {
-    const double  value = function(eigen.values[k]);
-    const Point & v = eigen.vectors[k];
-    int           entry = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = i; j < 3; ++j)
-      {
-        result[entry++] += value * v[i] * v[j];
-      }
-    }
+    AddOuterProduct(function(eigen.values[k]), eigen.vectors[k], result);
   }
   return result;
 }

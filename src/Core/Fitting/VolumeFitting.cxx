@@ -8,7 +8,7 @@
 
 #include "TissueTessellationCore/Common/CompressedRows.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>

@@ -25,7 +25,7 @@
 #include "Remeshing/WallEdgeLengths.h"
 #include "Remeshing/WallRemeshing.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include <cmath>
 #include <numeric>

@@ -4,7 +4,7 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include "TissueTessellationCore/Geometry/Vector.h"
 

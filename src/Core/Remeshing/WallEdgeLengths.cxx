@@ -8,7 +8,7 @@
 
 #include "Common/Algorithms.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Tessellation/CellMoments.h"
 
+#include "TissueTessellationCore/Geometry/Vector.h"
+
 #include <algorithm>
 
 namespace tissue
@@ -34,15 +36,7 @@ MeasureCells(const std::vector<Point> & points, const std::vector<std::int32_t> 
   for (std::size_t i = 0; i < cellOfPoint.size(); ++i)
   {
     CellMoments & cell = cells[static_cast<std::size_t>(cellOfPoint[i])];
-    const double  weight = 1.0 / static_cast<double>(cell.numberOfPoints);
-    std::size_t   entry = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      for (std::size_t l = k; l < 3; ++l)
-      {
-        cell.covariance[entry++] += weight * (points[i][k] - cell.mean[k]) * (points[i][l] - cell.mean[l]);
-      }
-    }
+    AddOuterProduct(1.0 / static_cast<double>(cell.numberOfPoints), points[i] - cell.mean, cell.covariance);
   }
   for (CellMoments & cell : cells)
   {

@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "Fitting/VolumeFitting.h"
 #include "TestWallMeshes.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 
 #include <gtest/gtest.h>
 

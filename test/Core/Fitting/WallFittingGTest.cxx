@@ -8,7 +8,7 @@
 #include "FourCellBall.h"
 #include "Mesh/Crossings.h"
 #include "TestWallMeshes.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 #include "VoxelTissue.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
  *=========================================================================*/
 #include "TestWallMeshes.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
-#include "TissueTessellationCore/Mesh/WallMeasures.h"
+#include "Mesh/WallMeasures.h"
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 #include "VoxelTissue.h"
 

@@ -1,0 +1,133 @@
+/*=========================================================================
+ *
+ *  Copyright The TissueTessellation contributors
+ *  SPDX-License-Identifier: Apache-2.0
+ *
+ *=========================================================================*/
+#ifndef TissueTessellationCore_TissueStatistics_h
+#define TissueTessellationCore_TissueStatistics_h
+
+#include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Mesh/WallMesh.h"
+
+#include <limits>
+#include <vector>
+
+namespace tissue
+{
+/** What a statistic is that cannot be measured. */
+constexpr double UnknownStatistic = std::numeric_limits<double>::quiet_NaN();
+
+/** The curvatures of a surface at a place, per unit of length, seen along its normal: those of a ball are positive. */
+struct Curvatures
+{
+  double maximum = UnknownStatistic;
+  double minimum = UnknownStatistic;
+
+  double
+  Mean() const
+  {
+    return 0.5 * (maximum + minimum);
+  }
+
+  double
+  Gaussian() const
+  {
+    return maximum * minimum;
+  }
+};
+
+/** \brief The shape of a cell and its place in the tissue. What cannot be measured is UnknownStatistic. */
+struct CellStatistics
+{
+  /** The area of its walls to the exterior, voids included. */
+  double exteriorArea = 0.0;
+  /** The part of that where the tissue is cut, see WallStatistics::cutArea. */
+  double cutArea = 0.0;
+  /** The surface of a ball of its volume over its own: 1 for a ball, less for all others (H. Wadell, Volume, Shape, and
+   * Roundness of Quartz Particles, J. Geol. 43, 1935). */
+  double sphericity = UnknownStatistic;
+  /** 1 for the epidermis, 2 for its neighbours, and so on; 0 where no wall leads to the epidermis. */
+  std::int32_t layer = 0;
+  /** The axes of the ellipsoid that has the cell's moments of volume up to the second: lengths, longest first, and
+   * directions of length 1 whose largest component is positive. */
+  std::array<double, 3> axisLengths = { { UnknownStatistic, UnknownStatistic, UnknownStatistic } };
+  std::array<Point, 3>  axes = { { { { UnknownStatistic, UnknownStatistic, UnknownStatistic } },
+                                   { { UnknownStatistic, UnknownStatistic, UnknownStatistic } },
+                                   { { UnknownStatistic, UnknownStatistic, UnknownStatistic } } } };
+  /** Of the tissue's surface at a cell of the epidermis: by how the mean normals of its wall there and of those next to
+   * it turn, so that the bulges of the cells do not count. */
+  Curvatures curvatures;
+
+  /** The longest axis over the middle one, and that over the shortest, as itk::ShapeLabelObject has them. */
+  double
+  Elongation() const
+  {
+    return axisLengths[0] / axisLengths[1];
+  }
+
+  double
+  Flatness() const
+  {
+    return axisLengths[1] / axisLengths[2];
+  }
+};
+
+/** \brief The shape of a wall. Its normal points from the first cell to the second. */
+struct WallStatistics
+{
+  double area = 0.0;
+  /** Weighted by the area. */
+  Point center = { { UnknownStatistic, UnknownStatistic, UnknownStatistic } };
+  /** The mean of the triangles' normals, of length 1. */
+  Point normal = { { UnknownStatistic, UnknownStatistic, UnknownStatistic } };
+  /** The area that the wall has, seen along its normal, over its area: 1 where it is flat. */
+  double planarity = UnknownStatistic;
+  /** The root mean square distance to the plane that fits best. */
+  double planeDistance = UnknownStatistic;
+  /** Of a quadratic surface through it; positive where it bulges into the second cell. */
+  double meanCurvature = UnknownStatistic;
+  /** Of a wall to the exterior, the area where the tissue is not at its end but cut, see MeasureTissue(). */
+  double cutArea = 0.0;
+};
+
+/** \brief The statistics of a tissue's cells, by vertex (that of the exterior is empty), and of its walls. */
+struct TissueStatistics
+{
+  std::vector<CellStatistics> cells;
+  std::vector<WallStatistics> walls;
+};
+
+/** Measures the walls alone, of a mesh that RequireConsistentIndices() lets pass; their cutArea stays 0. */
+std::vector<WallStatistics>
+MeasureWalls(const WallMesh & mesh);
+
+/** \brief Measures cells and walls.
+ *
+ * The tissue is cut, and its surface no epidermis,
+ * - on the border of the image: where all points of a triangle of a cell that touches the border (Cell::touchesBorder)
+ * lie within 1.5 voxels of its planes, and the triangle is within 60 degrees parallel to one of these;
+ * - at planes within the image, as a mask leaves them: where 8 walls or more lie in one plane within a hundredth of the
+ *   cells' diameter (that of a ball of their surface) or 0.4 voxels, as the bulging cells of an epidermis never do;
+ * this does not count where such planes are not parallel or more than half of the surface, as those of a block or a
+ * flat sheet;
+ * - where whole cells are missing: where the surface is as rough as the inner walls are. A wall and those around it are
+ *   then a tenth of the cells' diameter off a quadratic surface (root mean square; the median over a wall and those
+ *   around it); this does not count where less than a fifth would be left.
+ *
+ * Of walls that are rough or in a plane those count that are surrounded by such, where they make up a tenth or more, in
+ * a plane a twentieth or more, of the surface that is not on the border; with what is smaller between rough ones. So an
+ * edge, and a crease between two organs, is no cut.
+ *
+ * What is left is cut as well where it is less than a fiftieth of the surface.
+ *
+ * The epidermis are the cells that have a fiftieth of their surface or more at the exterior that is neither cut nor a
+ * void that the tissue encloses.
+ *
+ * \param grid that of the image, which may be empty: then nothing is known of its border.
+ * \throws std::invalid_argument as RequireConsistentIndices does. */
+TissueStatistics
+MeasureTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const ImageGrid & grid);
+} // namespace tissue
+
+#endif
