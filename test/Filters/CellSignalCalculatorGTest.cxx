@@ -63,16 +63,18 @@ struct PlacedTissue
   }
 };
 
-/** On the grid of an image, made finer by `factor` along each axis, the value at each position. */
+/** On the grid of an image, made finer by `factor` along each axis and with more voxels around it, the value at each
+ * position. */
 template <typename TFunction>
 SignalType::Pointer
-MakeSignal(const LabelImageType * like, double factor, const TFunction & valueAt)
+MakeSignal(const LabelImageType * like, double factor, const TFunction & valueAt, itk::SizeValueType margin = 0)
 {
   auto region = like->GetLargestPossibleRegion();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     region.SetSize(axis, static_cast<itk::SizeValueType>(std::lround(factor * region.GetSize(axis))));
   }
+  region.PadByRadius(margin);
   const auto signal = SignalType::New();
   signal->CopyInformation(like);
   signal->SetSpacing(like->GetSpacing() * (1.0 / factor));
@@ -140,22 +142,16 @@ TEST(CellSignalCalculator, OnOtherGridsALinearSignalHasTheSameMeans)
 TEST(CellSignalCalculator, AWallHasTheSignalInItsMiddle)
 {
   const PlacedTissue tissue;
-  const auto         calculator = tissue.MakeCalculator(MakeSignal(tissue.labels, 1.0, Ramp));
+  // Walls of so few triangles reach over the border of the labels.
+  const auto calculator = tissue.MakeCalculator(MakeSignal(tissue.labels, 1.0, Ramp, 20));
   calculator->Compute();
   const auto means = calculator->GetMeansOfWalls();
   const auto walls = tissue::MeasureWalls(tissue.mesh->GetWallMesh());
   ASSERT_EQ(walls.size(), means->Size());
-  int numberOfInner = 0;
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    // Outer walls of so few triangles reach over the voxels at the border, which the interpolation continues.
-    if (tissue.mesh->GetWallMesh().walls[w].cells[1] != tissue::ExteriorVertex)
-    {
-      ++numberOfInner;
-      EXPECT_NEAR(Ramp(PointType(walls[w].center.data())), means->ElementAt(w), 1e-5);
-    }
+    EXPECT_NEAR(Ramp(PointType(walls[w].center.data())), means->ElementAt(w), 1e-5);
   }
-  EXPECT_EQ(5, numberOfInner);
 }
 
 TEST(CellSignalCalculator, WhatIsBesideTheImageIsNotKnown)

@@ -6,7 +6,7 @@ import unittest
 import itk
 import numpy as np
 
-from LabelImageToCellWallMeshFilterTest import make_tissue, to_itk
+from LabelImageToCellWallMeshFilterTest import EXTERIOR, make_tissue, to_itk
 
 
 class CellSignalCalculatorTest(unittest.TestCase):
@@ -17,7 +17,7 @@ class CellSignalCalculatorTest(unittest.TestCase):
         extraction.Update()
         mesher = itk.JunctionsToCellWallMeshFilter.New(extraction.GetOutput(), label_volume=extraction.GetLabelVolume())
         mesher.Update()
-        image = itk.image_from_array(signal)
+        image = to_itk(signal)
         calculator = itk.CellSignalCalculator[type(image)].New()
         calculator.SetImage(image)
         calculator.SetLabelVolume(extraction.GetLabelVolume())
@@ -25,7 +25,7 @@ class CellSignalCalculatorTest(unittest.TestCase):
         calculator.Compute()
         means = itk.array_from_vector_container(calculator.GetMeans())
         integrals = itk.array_from_vector_container(calculator.GetIntegrals())
-        cells = [label for label in np.unique(labels) if label != 0]
+        cells = [label for label in np.unique(labels) if label != EXTERIOR]
         np.testing.assert_allclose(means, [signal[labels == cell].mean() for cell in cells], rtol=1e-5)
         np.testing.assert_allclose(integrals, [signal[labels == cell].sum() for cell in cells], rtol=1e-5)
         walls = itk.array_from_vector_container(calculator.GetMeansOfWalls())
