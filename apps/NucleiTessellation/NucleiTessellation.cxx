@@ -25,11 +25,20 @@ main(int argc, char ** argv)
     UseThreads(options->run.threads);
     ProgressBar progress(options->run.GetProgressStyle());
 
+    ProjectionSources sources = ReadProjectionSources(options->projection, progress);
+    RequireColumn(options->outputs, sources.ColumnNames());
     TissueInput               input = ReadPointTissue(*options, progress);
+    Projection                projection(std::move(sources),
+                          options->projection.wallDistance,
+                          input.GetJunctionSet().cells,
+                          input.names,
+                          input.extracted.volume,
+                          input.image.unit);
     const ReconstructedTissue tissue =
       Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
     const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
-    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
+    const ProjectedData        projected = projection.Project(tissue.mesh, progress);
+    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation, projection, projected };
     WriteOutputs(options->outputs, report, progress);
     Say(report, options->outputs, options->run.isQuiet);
     RequireNoFaults(report, options->run.isStrict);
