@@ -58,6 +58,13 @@ public:
     return m_IsOfCategories;
   }
 
+  /** What is to be said of the range, behind the title. */
+  std::string
+  GetNote() const
+  {
+    return m_IsOfCategories ? "" : ", 2nd to 98th percentile";
+  }
+
   /** Whether a cell has a value that is not known. */
   bool
   HasUnknown() const

@@ -17,7 +17,7 @@ class vtkRenderer;
 namespace tissue
 {
 /** The height of a legend, as a part of the picture's. */
-constexpr double LegendHeight = 0.16;
+constexpr double LegendHeight = 0.17;
 
 /** \brief Adds what the colours mean at the lower right: a title above a bar with numbers, or above the names of
  * categories; and what is grey, where a cell is.

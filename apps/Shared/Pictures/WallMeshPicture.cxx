@@ -301,7 +301,7 @@ WriteWallMeshPicture(const WallMesh & mesh, const std::vector<Cell> & cells, con
   AddScaleBar(renderer, size, pixelsPerUnit, options.lengthUnit);
   if (scale)
   {
-    AddLegend(renderer, *scale, options.values->title, size);
+    AddLegend(renderer, *scale, options.values->title + scale->GetNote(), size);
   }
 
   const auto window = MakeOffScreenWindow();
