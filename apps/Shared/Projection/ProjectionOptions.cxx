@@ -87,6 +87,7 @@ ListSignals(const ProjectionOptions & options)
     source.image = options.image.ForFurther();
     source.image.channel = NumberOf(options.channels, sources.size());
     source.image.frame = NumberOf(options.frames, sources.size());
+    source.image.requiresChoice = true;
     source.image.channelOption = "--signalChannel";
     source.image.frameOption = "--signalFrame";
     sources.push_back(source);

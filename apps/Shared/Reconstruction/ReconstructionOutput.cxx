@@ -144,7 +144,9 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   AddSimulations(paths.simulations, report, files);
   for (const std::string & name : paths.exports)
   {
-    files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });
+    files.Add(name, [&](const std::string & path) {
+      ExportMesh(walls, cells, paths.exportedCells, report.projected, name, path);
+    });
   }
   const auto makeCellTable = [&] {
     const auto table = MakeCellTable(walls, cells, check, statistics);
