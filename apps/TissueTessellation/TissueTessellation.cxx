@@ -6,7 +6,7 @@
  *=========================================================================*/
 // From a segmented 3-D image of a tissue, or one of its membranes, to the triangular mesh of all its cell walls.
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/ReconstructionOutput.h"
+#include "Shared/Reconstruction/ReconstructionRun.h"
 #include "TissueTessellation/TissueTessellationOptions.h"
 
 namespace
@@ -31,31 +31,10 @@ main(int argc, char ** argv)
 {
   const std::string program = "TissueTessellation";
   return RunProgram(program, [&] {
-    const auto options = ParseCommandLine(argc, argv);
-    if (!options)
+    if (const auto options = ParseCommandLine(argc, argv))
     {
-      return;
+      RunReconstruction(
+        program, *options, [&options](ProgressBar & progress) { return ReadInput(*options, progress); });
     }
-    RequireOutputs(options->outputs, options->InputFiles());
-    UseThreads(options->run.threads);
-    ProgressBar progress(options->run.GetProgressStyle());
-
-    ProjectionSources sources = ReadProjectionSources(options->projection, progress);
-    RequireColumn(options->outputs, sources.ColumnNames());
-    TissueInput               input = ReadInput(*options, progress);
-    Projection                projection(std::move(sources),
-                          options->projection.wallDistance,
-                          input.GetJunctionSet().cells,
-                          input.names,
-                          input.extracted.volume,
-                          input.image.unit);
-    const ReconstructedTissue tissue =
-      Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
-    const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
-    const ProjectedData        projected = projection.Project(tissue.mesh, progress);
-    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation, projection, projected };
-    WriteOutputs(options->outputs, report, progress);
-    Say(report, options->outputs, options->run.isQuiet);
-    RequireNoFaults(report, options->run.isStrict);
   });
 }
