@@ -109,6 +109,7 @@ AddProjectionOptions(CLI::App & app, ProjectionOptions & options)
       ->check(InRange(1, 1e6))
       ->delimiter(',')
       ->allow_extra_args(false)
+      ->needs("--signal")
       ->group(group);
   };
   add("--cellData",
@@ -118,6 +119,7 @@ AddProjectionOptions(CLI::App & app, ProjectionOptions & options)
     .add_option("--cellDataLabel",
                 options.labelColumn,
                 "Its column of labels, by name or number from 1 on, where the names do not tell")
+    ->needs("--cellData")
     ->type_name("COLUMN")
     ->group(group);
   add("--signal",
