@@ -32,7 +32,7 @@ ThreeCells()
 }
 
 std::vector<SignalSource>
-List(const std::vector<std::string> & signals, const std::vector<unsigned int> & channels = {})
+ParseSignals(const std::vector<std::string> & signals, const std::vector<unsigned int> & channels = {})
 {
   ProjectionOptions options;
   options.signals = signals;
@@ -44,7 +44,7 @@ List(const std::vector<std::string> & signals, const std::vector<unsigned int> &
 TEST_F(ProjectionOptionsTest, SignalsAreCalledAsTheirFilesOrAsAsked)
 {
   const auto signals =
-    List({ "a/dr5.mha", "b.nii.gz", "c.ome.tif", "d.h5:/exported/pin1", "e.v2.nrrd", "VENUS=f.mha" }, { 2 });
+    ParseSignals({ "a/dr5.mha", "b.nii.gz", "c.ome.tif", "d.h5:/exported/pin1", "e.v2.nrrd", "VENUS=f.mha" }, { 2 });
   const std::vector<std::string> names{ "dr5", "b", "c", "pin1", "e.v2", "VENUS" };
   ASSERT_EQ(names.size(), signals.size());
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -54,17 +54,19 @@ TEST_F(ProjectionOptionsTest, SignalsAreCalledAsTheirFilesOrAsAsked)
   }
   EXPECT_EQ("f.mha", signals.back().file);
   WriteLines("k=1.mha", "");
-  EXPECT_EQ("k=1", List({ this->PathOf("k=1.mha") })[0].name);
+  EXPECT_EQ("k=1", ParseSignals({ this->PathOf("k=1.mha") })[0].name);
 }
 
 TEST_F(ProjectionOptionsTest, EachSignalMayHaveAChannelOfItsOwn)
 {
-  const auto signals = List({ "r=a.tif", "g=a.tif" }, { 1, 3 });
+  const auto signals = ParseSignals({ "r=a.tif", "g=a.tif" }, { 1, 3 });
   EXPECT_EQ(1u, signals[0].image.channel);
   EXPECT_EQ(3u, signals[1].image.channel);
-  EXPECT_NE(std::string::npos, RefusalOf([] { List({ "a", "b" }, { 1, 2, 3 }); }).find("--signalChannel has 3 values"));
-  EXPECT_NE(std::string::npos, RefusalOf([] { List({ "=a" }); }).find("has no name"));
-  EXPECT_NE(std::string::npos, RefusalOf([] { List({ "a=" }); }).find("has no file"));
+  EXPECT_NE(std::string::npos, RefusalOf([] {
+                                 ParseSignals({ "a", "b" }, { 1, 2, 3 });
+                               }).find("--signalChannel has 3 values"));
+  EXPECT_NE(std::string::npos, RefusalOf([] { ParseSignals({ "=a" }); }).find("has no name"));
+  EXPECT_NE(std::string::npos, RefusalOf([] { ParseSignals({ "a=" }); }).find("has no file"));
 }
 
 TEST(ProjectionSources, RowsAreThoseOfTheLabels)

@@ -118,7 +118,8 @@ CountNumbers(const std::vector<double> & numbers, std::vector<std::string> & nam
   std::vector<double> indices;
   for (const double number : numbers)
   {
-    const auto at = different.find(number);
+    // What is no number is none of them, though a set finds it.
+    const auto at = std::isfinite(number) ? different.find(number) : different.end();
     indices.push_back(at == different.end() ? unknown : static_cast<double>(std::distance(different.begin(), at)));
   }
   return indices;
