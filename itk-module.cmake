@@ -24,6 +24,7 @@ itk_module(TissueTessellation
   TEST_DEPENDS
     ITKTestKernel
     ITKGoogleTest
+    ITKImageStatistics
     ITKIOTIFF
   DESCRIPTION "${DOCUMENTATION}"
   EXCLUDE_FROM_DEFAULT
