@@ -29,6 +29,7 @@ struct OutputPaths
   std::string junctions;
   std::string report;
   std::string picture;
+  std::string page;
   /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
   std::vector<std::string> simulations;
   /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */

@@ -11,6 +11,7 @@
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
+#include "Shared/Page/PageFile.h"
 #include "Shared/Pictures/WallMeshPicture.h"
 #include "Shared/Reconstruction/CellSegmentation.h"
 #include "Shared/Reconstruction/ReconstructionModule.h"
@@ -151,6 +152,12 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
+  add(paths.page, [&](const std::string & path) {
+    const std::vector<Color> colors = ChooseCellColors(walls, static_cast<VertexId>(cells.size()));
+    const auto &             input = report.input;
+    const std::string &      unit = input.image.unit.empty() ? input.pointUnit : input.image.unit;
+    WritePage({ walls, makeCellTable(), colors, ToJson(report), unit }, path);
+  });
   add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
   add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
   add(paths.report, [&](const std::string & path) { WriteJson(ToJson(report), path); });

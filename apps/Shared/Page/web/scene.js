@@ -1,0 +1,341 @@
+// The tissue as vtk.js draws it.
+import '@kitware/vtk.js/Rendering/OpenGL/Actor';
+import '@kitware/vtk.js/Rendering/OpenGL/Camera';
+import '@kitware/vtk.js/Rendering/OpenGL/PolyDataMapper';
+import '@kitware/vtk.js/Rendering/OpenGL/Renderer';
+import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
+import vtkDataArray from '@kitware/vtk.js/Common/Core/DataArray';
+import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
+import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
+import vtkPlane from '@kitware/vtk.js/Common/DataModel/Plane';
+import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
+import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
+import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
+import { add, cross, cutSurfaces, dot, listShown, movePoints, pickCell, scaleTo, thickenEdges } from './surfaces.js';
+
+// The cut surface of a solid is where its inside is seen: such a pixel is drawn flat, at the depth of the plane.
+const capUniforms = 'uniform vec4 cutPlaneVC;\nuniform vec2 depthTerms;\n//VTK::Light::Dec';
+const cap = `
+  gl_FragDepth = gl_FragCoord.z;
+  if (!gl_FrontFacing)
+    {
+    float share = -cutPlaneVC.w / dot(cutPlaneVC.xyz, vertexVC.xyz);
+    gl_FragDepth = clamp(depthTerms.x + depthTerms.y / (share * vertexVC.z), 0.0, 1.0);
+    gl_FragData[0] = vec4(diffuseColor, opacity);
+    }
+  //VTK::Light::Impl`;
+// Lines are a little nearer than the surfaces they are on, those of the selected cell before everything.
+const lineUniforms = 'uniform vec2 depthTerms;\n//VTK::Light::Dec';
+const lineDepth = '  gl_FragDepth = gl_FragCoord.z - 0.004 * (depthTerms.x - gl_FragCoord.z);';
+const frontDepth = '  gl_FragDepth = 0.01 * gl_FragCoord.z;';
+
+const replace = (originalValue, replacementValue) => ({
+  shaderType: 'Fragment',
+  originalValue,
+  replaceFirst: false,
+  replacementValue,
+  replaceAll: false,
+});
+
+export class Scene {
+  /** \param onDraw is called after every picture. */
+  constructor(container, surfaces, onDraw) {
+    this.container = container;
+    this.surfaces = surfaces;
+    this.onDraw = onDraw;
+    this.points = surfaces.points;
+    this.isShown = new Array(surfaces.numberOfCells).fill(true);
+    this.plane = null;
+    this.selected = -1;
+    this.window = vtkRenderWindow.newInstance();
+    this.renderer = vtkRenderer.newInstance();
+    this.window.addRenderer(this.renderer);
+    this.view = vtkOpenGLRenderWindow.newInstance();
+    this.view.setContainer(container);
+    this.window.addView(this.view);
+    this.camera = this.renderer.getActiveCamera();
+    this.cutPlane = vtkPlane.newInstance();
+    this.cells = this.addActor((property) => {
+      property.setAmbient(0.32);
+      property.setDiffuse(0.72);
+    });
+    this.edges = this.addActor((property) => property.setLighting(false));
+    this.section = this.addActor((property) => property.setLighting(false));
+    this.outline = this.addActor((property) => property.setLighting(false));
+    for (const part of [this.edges, this.section]) {
+      this.setShader(part, [replace('//VTK::Light::Dec', lineUniforms), replace('//VTK::Depth::Impl', lineDepth)]);
+    }
+    this.setShader(this.outline, [replace('//VTK::Depth::Impl', frontDepth)]);
+    this.cells.data.getPointData().setNormals(
+      vtkDataArray.newInstance({ name: 'Normals', numberOfComponents: 3, values: surfaces.normals }));
+    this.updatePoints();
+    this.updateShown();
+    new ResizeObserver(() => this.resize()).observe(container);
+    this.resize();
+    this.resetCamera();
+  }
+
+  addActor(setUp) {
+    const data = vtkPolyData.newInstance();
+    const mapper = vtkMapper.newInstance();
+    mapper.setInputData(data);
+    const actor = vtkActor.newInstance();
+    actor.setMapper(mapper);
+    setUp(actor.getProperty());
+    this.renderer.addActor(actor);
+    return { actor, data, mapper };
+  }
+
+  /** Replaces places of a part's shader, and gives it the uniforms that it may have. */
+  setShader({ mapper }, replacements) {
+    const callback = (userData, cellBuffer) => {
+      const program = cellBuffer.getProgram();
+      const [near, far] = this.camera.getClippingRange();
+      if (program.isUniformUsed('depthTerms')) {
+        program.setUniform2f('depthTerms', far / (far - near), (far * near) / (far - near));
+      }
+      if (this.plane && program.isUniformUsed('cutPlaneVC')) {
+        program.setUniform4f('cutPlaneVC', ...this.planeForCamera());
+      }
+    };
+    mapper.setViewSpecificProperties({
+      OpenGL: { ShaderReplacements: replacements },
+      ShadersCallbacks: [{ callback, userData: null }],
+    });
+    mapper.modified();
+  }
+
+  /** The plane in coordinates of the camera: to the right, up, backwards. */
+  planeForCamera() {
+    const { right, up, forward } = this.cameraAxes();
+    const { normal, offset } = this.plane;
+    return [dot(normal, right), dot(normal, up), -dot(normal, forward), dot(normal, this.camera.getPosition()) - offset];
+  }
+
+  cameraAxes() {
+    const forward = this.camera.getDirectionOfProjection();
+    const right = scaleTo(cross(forward, this.camera.getViewUp()), 1);
+    return { right, up: cross(right, forward), forward };
+  }
+
+  resize() {
+    const { width, height } = this.container.getBoundingClientRect();
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    this.view.setSize(Math.max(Math.round(width * ratio), 1), Math.max(Math.round(height * ratio), 1));
+    this.requestPicture();
+  }
+
+  requestPicture() {
+    this.request ??= requestAnimationFrame(() => {
+      this.request = undefined;
+      this.draw();
+    });
+  }
+
+  draw() {
+    this.renderer.resetCameraClippingRange();
+    this.window.render();
+    this.onDraw?.();
+  }
+
+  setTheme(background, foreground) {
+    this.renderer.setBackground(...background.map((channel) => channel / 255));
+    this.outline.actor.getProperty().setColor(...foreground.map((channel) => channel / 255));
+    this.section.actor.getProperty().setColor(0.08, 0.08, 0.08);
+    this.requestPicture();
+  }
+
+  /** \param colorOf gives red, green and blue, 0 to 255, of a cell. */
+  setColors(colorOf) {
+    const { numberOfCells, pointStart } = this.surfaces;
+    const colors = new Uint8Array(this.points.length);
+    for (let c = 0; c < numberOfCells; ++c) {
+      const [red, green, blue] = colorOf(c);
+      for (let i = 3 * pointStart[c]; i < 3 * pointStart[c + 1]; i += 3) {
+        colors[i] = red;
+        colors[i + 1] = green;
+        colors[i + 2] = blue;
+      }
+    }
+    const dark = colors.map((channel) => 0.35 * channel);
+    for (const [part, values] of [[this.cells, colors], [this.edges, dark]]) {
+      part.data.getPointData().setScalars(vtkDataArray.newInstance({ name: 'Colors', numberOfComponents: 3, values }));
+      part.data.modified();
+    }
+    this.requestPicture();
+  }
+
+  /** Moves each cell by a share of its way from the middle. */
+  setExplosion(share) {
+    this.points = movePoints(this.surfaces, share);
+    this.updatePoints();
+    this.updateSection();
+    this.updateOutline();
+    this.requestPicture();
+  }
+
+  setShown(isShown) {
+    this.isShown = isShown;
+    this.updateShown();
+    this.updateSection();
+    this.updateOutline();
+    this.requestPicture();
+  }
+
+  /** Keeps what is above a plane, `normal` and `offset`; null keeps all. */
+  setPlane(plane) {
+    if (Boolean(plane) !== Boolean(this.plane)) {
+      this.setShader(this.cells, plane ? [replace('//VTK::Light::Dec', capUniforms), replace('//VTK::Light::Impl', cap)] : []);
+      for (const { mapper } of [this.cells, this.edges]) {
+        mapper.removeAllClippingPlanes();
+        if (plane) {
+          mapper.addClippingPlane(this.cutPlane);
+        }
+      }
+    }
+    this.plane = plane;
+    if (plane) {
+      this.cutPlane.setNormal(...plane.normal);
+      this.cutPlane.setOrigin(...plane.normal.map((n) => n * plane.offset));
+    }
+    this.cells.actor.getProperty().setBackfaceCulling(!plane);
+    this.updateSection();
+    this.requestPicture();
+  }
+
+  setSelected(cell) {
+    this.selected = cell;
+    this.updateOutline();
+    this.requestPicture();
+  }
+
+  updatePoints() {
+    for (const { data } of [this.cells, this.edges]) {
+      data.getPoints().setData(this.points, 3);
+      data.modified();
+    }
+  }
+
+  updateShown() {
+    const { corners, cornerStart, edges, edgeStart } = this.surfaces;
+    this.cells.data.getPolys().setData(listShown(corners, cornerStart, 3, this.isShown));
+    this.edges.data.getLines().setData(listShown(edges, edgeStart, 2, this.isShown));
+    this.cells.data.modified();
+    this.edges.data.modified();
+  }
+
+  updateSection() {
+    const points = this.plane ? cutSurfaces(this.surfaces, this.points, this.isShown, this.plane) : new Float32Array();
+    const lines = new Uint32Array(points.length / 2);
+    for (let i = 0; i < lines.length / 3; ++i) {
+      lines.set([2, 2 * i, 2 * i + 1], 3 * i);
+    }
+    this.section.data.getPoints().setData(points, 3);
+    this.section.data.getLines().setData(lines);
+    this.section.data.modified();
+    this.section.actor.setVisibility(points.length > 0);
+  }
+
+  updateOutline() {
+    const isThere = this.selected >= 0 && this.isShown[this.selected];
+    const points = isThere ? thickenEdges(this.surfaces, this.points, this.selected, this.edgeRadius()) : new Float32Array();
+    const polys = new Uint32Array((points.length / 9) * 4);
+    for (let i = 0; i < polys.length / 4; ++i) {
+      polys.set([3, 3 * i, 3 * i + 1, 3 * i + 2], 4 * i);
+    }
+    this.outline.data.getPoints().setData(points, 3);
+    this.outline.data.getPolys().setData(polys);
+    this.outline.data.modified();
+    this.outline.actor.setVisibility(points.length > 0);
+  }
+
+  /** A share of the selected cell's size. */
+  edgeRadius() {
+    const box = this.boxOf(this.selected);
+    return 0.008 * Math.hypot(...box.upper.map((x, axis) => x - box.lower[axis]));
+  }
+
+  /** Of a cell as it is moved, or of all that are shown. */
+  boxOf(cell) {
+    const box = { lower: [Infinity, Infinity, Infinity], upper: [-Infinity, -Infinity, -Infinity] };
+    const { pointStart, numberOfCells } = this.surfaces;
+    for (let c = cell ?? 0; c < (cell === undefined ? numberOfCells : cell + 1); ++c) {
+      for (let i = 3 * pointStart[c]; (cell !== undefined || this.isShown[c]) && i < 3 * pointStart[c + 1]; ++i) {
+        box.lower[i % 3] = Math.min(box.lower[i % 3], this.points[i]);
+        box.upper[i % 3] = Math.max(box.upper[i % 3], this.points[i]);
+      }
+    }
+    return box;
+  }
+
+  /** Looks at all that is shown, from above and before. */
+  resetCamera() {
+    this.camera.setFocalPoint(0, 0, 0);
+    this.camera.setPosition(0.45, -1, 0.55);
+    this.camera.setViewUp(0, 0, 1);
+    const { lower, upper } = this.boxOf();
+    if (lower[0] <= upper[0]) {
+      this.renderer.resetCamera([lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]]);
+      this.camera.zoom(1);
+      this.moveCamera(1 / 1.25);
+    }
+    this.requestPicture();
+  }
+
+  /** Nearer for a factor below 1. */
+  moveCamera(factor) {
+    const focus = this.camera.getFocalPoint();
+    const from = this.camera.getPosition().map((x, axis) => focus[axis] + factor * (x - focus[axis]));
+    this.camera.setPosition(...from);
+    this.requestPicture();
+  }
+
+  turnCamera(toTheRight, upwards) {
+    this.camera.azimuth(-toTheRight);
+    this.camera.elevation(upwards);
+    this.camera.orthogonalizeViewUp();
+    this.requestPicture();
+  }
+
+  /** Moves what is seen by pixels of the page, to the right and down. */
+  shiftCamera(x, y) {
+    const { right, up } = this.cameraAxes();
+    const size = this.pixelSize();
+    const way = add(right.map((r) => -x * size * r), up.map((u) => y * size * u));
+    this.camera.setFocalPoint(...add(this.camera.getFocalPoint(), way));
+    this.camera.setPosition(...add(this.camera.getPosition(), way));
+    this.requestPicture();
+  }
+
+  /** Turns about the middle of a cell from now on. */
+  centerOn(cell) {
+    const { lower, upper } = this.boxOf(cell);
+    const middle = lower.map((x, axis) => (x + upper[axis]) / 2);
+    const way = middle.map((x, axis) => x - this.camera.getFocalPoint()[axis]);
+    this.camera.setFocalPoint(...middle);
+    this.camera.setPosition(...add(this.camera.getPosition(), way));
+    this.requestPicture();
+  }
+
+  /** The length of a pixel of the page at the middle of the view. */
+  pixelSize() {
+    const height = this.container.clientHeight || 1;
+    return (2 * this.camera.getDistance() * Math.tan((this.camera.getViewAngle() * Math.PI) / 360)) / height;
+  }
+
+  /** The cell at a place of the container, in pixels from its upper left, or -1. */
+  pick(x, y) {
+    const { right, up, forward } = this.cameraAxes();
+    const size = this.pixelSize() / this.camera.getDistance();
+    const [a, b] = [(x - this.container.clientWidth / 2) * size, (this.container.clientHeight / 2 - y) * size];
+    const direction = forward.map((f, axis) => f + a * right[axis] + b * up[axis]);
+    const ray = { origin: this.camera.getPosition(), direction };
+    return pickCell(this.surfaces, this.points, this.isShown, ray, this.plane);
+  }
+
+  /** The picture as the address of a PNG. */
+  capture() {
+    this.draw();
+    return this.view.getCanvas().toDataURL('image/png');
+  }
+}

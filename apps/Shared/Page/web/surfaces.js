@@ -1,0 +1,267 @@
+// The closed surface of each cell by points of its own, so that each can be moved, hidden and picked by itself.
+
+/** Each wall by its own points, with their normals, its triangles and its outline: as the wall is in its first cell. */
+function collectWalls(tissue) {
+  const { points, triangles, walls } = tissue;
+  const numberOfPoints = points.length / 3;
+  const owner = new Int32Array(numberOfPoints).fill(-1);
+  const number = new Int32Array(numberOfPoints);
+  const collected = [];
+  for (let w = 0, t = 0; 3 * w < walls.length; ++w) {
+    const end = t + walls[3 * w + 2];
+    const ids = [];
+    const corners = new Uint32Array(3 * (end - t));
+    for (let i = 3 * t; i < 3 * end; ++i) {
+      const p = triangles[i];
+      if (owner[p] !== w) {
+        owner[p] = w;
+        number[p] = ids.length;
+        ids.push(p);
+      }
+      corners[i - 3 * t] = number[p];
+    }
+    const position = new Float32Array(3 * ids.length);
+    ids.forEach((p, i) => position.set(points.subarray(3 * p, 3 * p + 3), 3 * i));
+    collected.push({ position, normal: computeNormals(position, corners), corners, outline: findOutline(corners) });
+    t = end;
+  }
+  return collected;
+}
+
+/** The sum of the triangles' normals, by their areas, at each point; of length 1. */
+function computeNormals(position, corners) {
+  const normal = new Float32Array(position.length);
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = [3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]];
+    const [ux, uy, uz] = [position[b] - position[a], position[b + 1] - position[a + 1], position[b + 2] - position[a + 2]];
+    const [vx, vy, vz] = [position[c] - position[a], position[c + 1] - position[a + 1], position[c + 2] - position[a + 2]];
+    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    for (const p of [a, b, c]) {
+      normal[p] += nx;
+      normal[p + 1] += ny;
+      normal[p + 2] += nz;
+    }
+  }
+  for (let p = 0; p < normal.length; p += 3) {
+    const length = Math.hypot(normal[p], normal[p + 1], normal[p + 2]) || 1;
+    normal[p] /= length;
+    normal[p + 1] /= length;
+    normal[p + 2] /= length;
+  }
+  return normal;
+}
+
+// Above any number of points of a wall; two of them make a number that is still exact.
+const span = 2 ** 26;
+
+/** The edges that one triangle has alone, two points each. */
+function findOutline(corners) {
+  const edges = new Map();
+  for (let i = 0; i < corners.length; i += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [corners[i + k], corners[i + ((k + 1) % 3)]];
+      const opposite = b * span + a;
+      if (!edges.delete(opposite)) {
+        edges.set(a * span + b, [a, b]);
+      }
+    }
+  }
+  return [...edges.values()].flat();
+}
+
+/** How many points, corners and ends of edges each cell has, summed up: `starts[c]` is the first of cell c. */
+function sumUp(tissue, collected, sizeOf) {
+  const starts = new Uint32Array(tissue.numberOfCells + 1);
+  for (let w = 0; w < collected.length; ++w) {
+    for (const row of [tissue.walls[3 * w], tissue.walls[3 * w + 1]]) {
+      if (row > 0) {
+        starts[row] += sizeOf(collected[w]);
+      }
+    }
+  }
+  for (let c = 0; c < tissue.numberOfCells; ++c) {
+    starts[c + 1] += starts[c];
+  }
+  return starts;
+}
+
+/** The ways from the mean of all cells' centres to each. */
+function findWays(tissue) {
+  const ways = new Float32Array(3 * tissue.numberOfCells);
+  ['CenterX', 'CenterY', 'CenterZ'].forEach((name, axis) => {
+    const numbers = tissue.find(name).numbers;
+    const mean = numbers.reduce((sum, value) => sum + value, 0) / numbers.length;
+    numbers.forEach((value, c) => {
+      ways[3 * c + axis] = value - mean;
+    });
+  });
+  return ways;
+}
+
+export function buildSurfaces(tissue) {
+  const collected = collectWalls(tissue);
+  const pointStart = sumUp(tissue, collected, (wall) => wall.position.length / 3);
+  const cornerStart = sumUp(tissue, collected, (wall) => wall.corners.length);
+  const edgeStart = sumUp(tissue, collected, (wall) => wall.outline.length);
+  const last = tissue.numberOfCells;
+  const surfaces = {
+    numberOfCells: last,
+    pointStart,
+    cornerStart,
+    edgeStart,
+    ways: findWays(tissue),
+    points: new Float32Array(3 * pointStart[last]),
+    normals: new Float32Array(3 * pointStart[last]),
+    corners: new Uint32Array(cornerStart[last]),
+    edges: new Uint32Array(edgeStart[last]),
+  };
+  const atPoint = pointStart.slice();
+  const atCorner = cornerStart.slice();
+  const atEdge = edgeStart.slice();
+  collected.forEach((wall, w) => {
+    for (let side = 0; side < 2; ++side) {
+      const c = tissue.walls[3 * w + side] - 1;
+      if (c < 0) {
+        continue;
+      }
+      const first = atPoint[c];
+      surfaces.points.set(wall.position, 3 * first);
+      surfaces.normals.set(side === 0 ? wall.normal : wall.normal.map((n) => -n), 3 * first);
+      atPoint[c] += wall.position.length / 3;
+      for (let i = 0; i < wall.corners.length; ++i) {
+        // The second cell sees the wall's triangles from behind.
+        const turned = side === 0 || i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1;
+        surfaces.corners[atCorner[c]++] = first + wall.corners[turned];
+      }
+      for (const p of wall.outline) {
+        surfaces.edges[atEdge[c]++] = first + p;
+      }
+    }
+  });
+  return surfaces;
+}
+
+/** The points with every cell moved by a share of its way. */
+export function movePoints(surfaces, share) {
+  const moved = surfaces.points.slice();
+  for (let c = 0; share > 0 && c < surfaces.numberOfCells; ++c) {
+    for (let i = 3 * surfaces.pointStart[c]; i < 3 * surfaces.pointStart[c + 1]; ++i) {
+      moved[i] += share * surfaces.ways[3 * c + (i % 3)];
+    }
+  }
+  return moved;
+}
+
+/** For vtkCellArray: the number of points of each polygon or line before them, of the cells that are shown. */
+export function listShown(indices, starts, size, isShown) {
+  let count = 0;
+  isShown.forEach((shown, c) => {
+    count += shown ? starts[c + 1] - starts[c] : 0;
+  });
+  const list = new Uint32Array((count / size) * (size + 1));
+  let at = 0;
+  isShown.forEach((shown, c) => {
+    for (let i = starts[c]; shown && i < starts[c + 1]; i += size) {
+      list[at++] = size;
+      for (let k = 0; k < size; ++k) {
+        list[at++] = indices[i + k];
+      }
+    }
+  });
+  return list;
+}
+
+/** The segments in which a plane cuts the surfaces that are shown, six coordinates each. */
+export function cutSurfaces(surfaces, points, isShown, plane) {
+  const [nx, ny, nz] = plane.normal;
+  const height = new Float32Array(points.length / 3);
+  for (let p = 0; p < height.length; ++p) {
+    height[p] = nx * points[3 * p] + ny * points[3 * p + 1] + nz * points[3 * p + 2] - plane.offset;
+  }
+  const segments = [];
+  isShown.forEach((shown, c) => {
+    for (let i = surfaces.cornerStart[c]; shown && i < surfaces.cornerStart[c + 1]; i += 3) {
+      for (let k = 0; k < 3; ++k) {
+        const [a, b] = [surfaces.corners[i + k], surfaces.corners[i + ((k + 1) % 3)]];
+        if (height[a] >= 0 !== height[b] >= 0) {
+          const share = height[a] / (height[a] - height[b]);
+          for (let axis = 0; axis < 3; ++axis) {
+            segments.push(points[3 * a + axis] + share * (points[3 * b + axis] - points[3 * a + axis]));
+          }
+        }
+      }
+    }
+  });
+  return Float32Array.from(segments);
+}
+
+/** The cell that a ray meets first, or -1. What is below the plane is cut away, and a cell that the ray enters through
+ * the cut is met there. */
+export function pickCell(surfaces, points, isShown, ray, plane) {
+  const [ox, oy, oz] = ray.origin;
+  const [dx, dy, dz] = ray.direction;
+  const enters = plane ? (plane.offset - dot(plane.normal, ray.origin)) / dot(plane.normal, ray.direction) : 0;
+  let nearest = { distance: Infinity, cell: -1 };
+  for (let c = 0; c < surfaces.numberOfCells; ++c) {
+    for (let i = surfaces.cornerStart[c]; isShown[c] && i < surfaces.cornerStart[c + 1]; i += 3) {
+      const [a, b, d] = [3 * surfaces.corners[i], 3 * surfaces.corners[i + 1], 3 * surfaces.corners[i + 2]];
+      const [ux, uy, uz] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
+      const [vx, vy, vz] = [points[d] - points[a], points[d + 1] - points[a + 1], points[d + 2] - points[a + 2]];
+      // Möller and Trumbore 1997.
+      const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
+      const determinant = ux * px + uy * py + uz * pz;
+      if (determinant === 0) {
+        continue;
+      }
+      const [sx, sy, sz] = [ox - points[a], oy - points[a + 1], oz - points[a + 2]];
+      const first = (sx * px + sy * py + sz * pz) / determinant;
+      if (first < 0 || first > 1) {
+        continue;
+      }
+      const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
+      const second = (dx * qx + dy * qy + dz * qz) / determinant;
+      const distance = (vx * qx + vy * qy + vz * qz) / determinant;
+      if (second < 0 || first + second > 1 || distance <= 0) {
+        continue;
+      }
+      const at = [ox + distance * dx, oy + distance * dy, oz + distance * dz];
+      if (plane && dot(plane.normal, at) < plane.offset) {
+        continue;
+      }
+      const isBehind = determinant < 0;
+      const met = isBehind && plane ? enters : distance;
+      if ((plane || !isBehind) && met < nearest.distance) {
+        nearest = { distance: met, cell: c };
+      }
+    }
+  }
+  return nearest.cell;
+}
+
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Bars of four sides along the edges of a cell: three coordinates for each corner of their triangles. */
+export function thickenEdges(surfaces, points, cell, radius) {
+  const coordinates = [];
+  for (let i = surfaces.edgeStart[cell]; i < surfaces.edgeStart[cell + 1]; i += 2) {
+    const [a, b] = [surfaces.edges[i], surfaces.edges[i + 1]].map((p) => points.subarray(3 * p, 3 * p + 3));
+    const along = [0, 1, 2].map((axis) => b[axis] - a[axis]);
+    const least = along.reduce((best, value, axis) => (Math.abs(value) < Math.abs(along[best]) ? axis : best), 0);
+    const u = scaleTo(cross(along, [0, 1, 2].map((axis) => Number(axis === least))), radius);
+    const v = scaleTo(cross(along, u), radius);
+    const sides = [u, v, u.map((x) => -x), v.map((x) => -x)];
+    sides.forEach((side, k) => {
+      const next = sides[(k + 1) % 4];
+      const [p, q, r, s] = [add(a, side), add(b, side), add(b, next), add(a, next)];
+      coordinates.push(...p, ...q, ...r, ...p, ...r, ...s);
+    });
+  }
+  return Float32Array.from(coordinates);
+}
+
+export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export function scaleTo(vector, length) {
+  const factor = length / (Math.hypot(...vector) || 1);
+  return vector.map((x) => x * factor);
+}
