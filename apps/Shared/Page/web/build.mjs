@@ -39,7 +39,7 @@ const result = await build({
   legalComments: 'none', // All notices are in the page.
   metafile: true,
   minify: true,
-  target: 'es2021',
+  target: 'es2019', // Older than ??, which C++ takes for the begin of a trigraph.
   write: false,
 });
 const style = await build({ entryPoints: [join(here, 'page.css')], absWorkingDir: here, charset: 'ascii', minify: true, write: false });
@@ -53,6 +53,9 @@ for (const [place, text] of Object.entries(parts)) {
   page = page.replace(place, () => text);
 }
 page = page.replace(/[^\x00-\x7f]/g, (character) => `&#${character.codePointAt(0)};`);
+if (/\?\?[=/'()!<>-]/.test(page)) {
+  throw new Error('the page has a trigraph of C++, which it is built in by');
+}
 if (process.argv.includes('--check')) {
   if (page !== readFileSync(target, 'utf8')) {
     console.error('page.bundle.html is not what its sources make: npm run build');

@@ -24,7 +24,7 @@ function countBins(column, scale) {
 function drawRange(column, scale) {
   const { bins, unknown } = countBins(column, scale);
   const highest = Math.max(...bins, 1);
-  const svg = make('svg', { viewBox: `0 0 ${width} ${plotHeight + 46}` });
+  const svg = make('svg', { viewBox: `0 0 ${width} ${plotHeight + 32}` });
   bins.forEach((count, i) => {
     const height = (count / highest) * (plotHeight - 12);
     const [x, w] = [(i / bins.length) * width, width / bins.length];
@@ -53,8 +53,7 @@ function drawRange(column, scale) {
   if (unknown > 0) {
     notes.push(`grey: ${unknown} not known`);
   }
-  svg.append(make('text', { x: 0, y: plotHeight + 43 }, notes.join('; ')));
-  return svg;
+  return make('div', {}, svg, make('small', {}, notes.join('; ')));
 }
 
 function drawCategories(column, scale) {

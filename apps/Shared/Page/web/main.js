@@ -14,6 +14,9 @@ import { CellTable } from './table.js';
 const get = (id) => document.getElementById(id);
 const dark = matchMedia('(prefers-color-scheme: dark)');
 
+// In none of the maps.
+const selectionColor = [255, 74, 28];
+
 class Page {
   constructor(tissue) {
     this.tissue = tissue;
@@ -161,7 +164,7 @@ class Page {
   setTheme() {
     const background = getComputedStyle(document.documentElement).getPropertyValue('--stage').trim();
     const channels = [1, 3, 5].map((at) => parseInt(background.slice(at, at + 2), 16));
-    this.scene?.setTheme(channels, dark.matches ? [255, 255, 255] : [0, 0, 0]);
+    this.scene?.setTheme(channels, selectionColor);
   }
 
   drawOverlay() {
@@ -206,8 +209,11 @@ class Page {
   /** The normal of the cut is chosen, of a cut that faces the view only now. */
   chooseCut() {
     const axis = get('cut-axis').value;
-    const normals = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, -1], view: this.scene.cameraAxes().forward };
+    const { forward } = this.scene.cameraAxes();
+    const normals = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], view: forward };
     this.normal = axis === 'none' ? null : normals[axis];
+    // What is kept is behind the cut, so that the cut is seen.
+    this.sign = this.normal && dot(this.normal, forward) < 0 ? -1 : 1;
     this.axis = axis;
     get('cut-at').disabled = !this.normal;
     get('cut-flip').disabled = !this.normal;
@@ -225,9 +231,9 @@ class Page {
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => dot(this.normal, [0, 1, 2].map((a) => ((k >> a) & 1 ? upper : lower)[a])));
     const [least, greatest] = [Math.min(...corners), Math.max(...corners)];
     const offset = least + Number(get('cut-at').value) * (greatest - least);
-    const sign = get('cut-flip').checked ? -1 : 1;
+    const sign = get('cut-flip').checked ? -this.sign : this.sign;
     this.scene.setPlane({ normal: this.normal.map((n) => sign * n), offset: sign * offset });
-    const place = this.axis === 'view' ? offset - least : (offset + dot(this.normal, this.tissue.origin)) * (this.axis === 'z' ? -1 : 1);
+    const place = this.axis === 'view' ? offset - least : offset + dot(this.normal, this.tissue.origin);
     const name = this.axis === 'view' ? 'depth' : this.axis;
     get('cut-place').textContent = `${name} = ${formatNumber(Number(place.toPrecision(4)))} ${this.tissue.unit}`;
   }

@@ -24,7 +24,7 @@ export function drawAxes(element, scene) {
 /** A bar of a round length, as long as things at the middle of the view are. */
 export function drawScale(element, scene, unit) {
   const size = scene.pixelSize();
-  const length = chooseTicks(0, 140 * size, 2).pop();
+  const length = chooseTicks(0, 140 * size, 3).pop();
   element.querySelector('span').textContent = `${formatNumber(length)} ${unit}`;
   element.querySelector('i').style.width = `${length / size}px`;
 }

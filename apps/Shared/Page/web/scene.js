@@ -11,19 +11,9 @@ import vtkPlane from '@kitware/vtk.js/Common/DataModel/Plane';
 import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
-import { add, cross, cutSurfaces, dot, listShown, movePoints, pickCell, scaleTo, thickenEdges } from './surfaces.js';
+import { cutCells } from './section.js';
+import { add, cross, listShown, movePoints, pickCell, scaleTo, thickenEdges } from './surfaces.js';
 
-// The cut surface of a solid is where its inside is seen: such a pixel is drawn flat, at the depth of the plane.
-const capUniforms = 'uniform vec4 cutPlaneVC;\nuniform vec2 depthTerms;\n//VTK::Light::Dec';
-const cap = `
-  gl_FragDepth = gl_FragCoord.z;
-  if (!gl_FrontFacing)
-    {
-    float share = -cutPlaneVC.w / dot(cutPlaneVC.xyz, vertexVC.xyz);
-    gl_FragDepth = clamp(depthTerms.x + depthTerms.y / (share * vertexVC.z), 0.0, 1.0);
-    gl_FragData[0] = vec4(diffuseColor, opacity);
-    }
-  //VTK::Light::Impl`;
 // Lines are a little nearer than the surfaces they are on, those of the selected cell before everything.
 const lineUniforms = 'uniform vec2 depthTerms;\n//VTK::Light::Dec';
 const lineDepth = '  gl_FragDepth = gl_FragCoord.z - 0.004 * (depthTerms.x - gl_FragCoord.z);';
@@ -37,6 +27,12 @@ const replace = (originalValue, replacementValue) => ({
   replaceAll: false,
 });
 
+/** Three values for each point. */
+function setColorsOf({ data }, values) {
+  data.getPointData().setScalars(vtkDataArray.newInstance({ name: 'Colors', numberOfComponents: 3, values }));
+  data.modified();
+}
+
 export class Scene {
   /** \param onDraw is called after every picture. */
   constructor(container, surfaces, onDraw) {
@@ -45,6 +41,9 @@ export class Scene {
     this.onDraw = onDraw;
     this.points = surfaces.points;
     this.isShown = new Array(surfaces.numberOfCells).fill(true);
+    this.explosion = 0;
+    this.colorOf = () => [0, 0, 0];
+    this.cellOfCapPoint = [];
     this.plane = null;
     this.selected = -1;
     this.window = vtkRenderWindow.newInstance();
@@ -58,7 +57,9 @@ export class Scene {
     this.cells = this.addActor((property) => {
       property.setAmbient(0.32);
       property.setDiffuse(0.72);
+      property.setBackfaceCulling(true);
     });
+    this.caps = this.addActor((property) => property.setLighting(false));
     this.edges = this.addActor((property) => property.setLighting(false));
     this.section = this.addActor((property) => property.setLighting(false));
     this.outline = this.addActor((property) => property.setLighting(false));
@@ -94,22 +95,12 @@ export class Scene {
       if (program.isUniformUsed('depthTerms')) {
         program.setUniform2f('depthTerms', far / (far - near), (far * near) / (far - near));
       }
-      if (this.plane && program.isUniformUsed('cutPlaneVC')) {
-        program.setUniform4f('cutPlaneVC', ...this.planeForCamera());
-      }
     };
     mapper.setViewSpecificProperties({
       OpenGL: { ShaderReplacements: replacements },
       ShadersCallbacks: [{ callback, userData: null }],
     });
     mapper.modified();
-  }
-
-  /** The plane in coordinates of the camera: to the right, up, backwards. */
-  planeForCamera() {
-    const { right, up, forward } = this.cameraAxes();
-    const { normal, offset } = this.plane;
-    return [dot(normal, right), dot(normal, up), -dot(normal, forward), dot(normal, this.camera.getPosition()) - offset];
   }
 
   cameraAxes() {
@@ -126,13 +117,12 @@ export class Scene {
   }
 
   requestPicture() {
-    this.request ??= requestAnimationFrame(() => {
-      this.request = undefined;
-      this.draw();
-    });
+    this.request ??= requestAnimationFrame(() => this.draw());
   }
 
   draw() {
+    cancelAnimationFrame(this.request);
+    this.request = undefined;
     this.renderer.resetCameraClippingRange();
     this.window.render();
     this.onDraw?.();
@@ -147,6 +137,7 @@ export class Scene {
 
   /** \param colorOf gives red, green and blue, 0 to 255, of a cell. */
   setColors(colorOf) {
+    this.colorOf = colorOf;
     const { numberOfCells, pointStart } = this.surfaces;
     const colors = new Uint8Array(this.points.length);
     for (let c = 0; c < numberOfCells; ++c) {
@@ -157,16 +148,16 @@ export class Scene {
         colors[i + 2] = blue;
       }
     }
-    const dark = colors.map((channel) => 0.35 * channel);
-    for (const [part, values] of [[this.cells, colors], [this.edges, dark]]) {
-      part.data.getPointData().setScalars(vtkDataArray.newInstance({ name: 'Colors', numberOfComponents: 3, values }));
-      part.data.modified();
-    }
+    setColorsOf(this.cells, colors);
+    setColorsOf(this.edges, colors.map((channel) => 0.35 * channel));
+    this.colorCaps();
     this.requestPicture();
   }
 
-  /** Moves each cell by a share of its way from the middle. */
+  /** Moves each cell by a share of its way from the middle; the camera steps back as much. */
   setExplosion(share) {
+    this.moveCamera((1 + share) / (1 + this.explosion));
+    this.explosion = share;
     this.points = movePoints(this.surfaces, share);
     this.updatePoints();
     this.updateSection();
@@ -185,7 +176,6 @@ export class Scene {
   /** Keeps what is above a plane, `normal` and `offset`; null keeps all. */
   setPlane(plane) {
     if (Boolean(plane) !== Boolean(this.plane)) {
-      this.setShader(this.cells, plane ? [replace('//VTK::Light::Dec', capUniforms), replace('//VTK::Light::Impl', cap)] : []);
       for (const { mapper } of [this.cells, this.edges]) {
         mapper.removeAllClippingPlanes();
         if (plane) {
@@ -198,7 +188,6 @@ export class Scene {
       this.cutPlane.setNormal(...plane.normal);
       this.cutPlane.setOrigin(...plane.normal.map((n) => n * plane.offset));
     }
-    this.cells.actor.getProperty().setBackfaceCulling(!plane);
     this.updateSection();
     this.requestPicture();
   }
@@ -224,16 +213,26 @@ export class Scene {
     this.edges.data.modified();
   }
 
+  /** What is cut is filled, flat in the colours of the cells, and outlined. */
   updateSection() {
-    const points = this.plane ? cutSurfaces(this.surfaces, this.points, this.isShown, this.plane) : new Float32Array();
-    const lines = new Uint32Array(points.length / 2);
-    for (let i = 0; i < lines.length / 3; ++i) {
-      lines.set([2, 2 * i, 2 * i + 1], 3 * i);
+    const none = { points: [], cellOfPoint: [], lines: [], triangles: [] };
+    const section = this.plane ? cutCells(this.surfaces, this.points, this.isShown, this.plane) : none;
+    const points = Float32Array.from(section.points);
+    const all = (indices) => [Uint32Array.from(indices), [0, indices.length]];
+    this.caps.data.getPolys().setData(listShown(...all(section.triangles), 3, [true]));
+    this.section.data.getLines().setData(listShown(...all(section.lines), 2, [true]));
+    for (const part of [this.caps, this.section]) {
+      part.data.getPoints().setData(points, 3);
+      part.data.modified();
+      part.actor.setVisibility(points.length > 0);
     }
-    this.section.data.getPoints().setData(points, 3);
-    this.section.data.getLines().setData(lines);
-    this.section.data.modified();
-    this.section.actor.setVisibility(points.length > 0);
+    this.cellOfCapPoint = section.cellOfPoint;
+    this.colorCaps();
+  }
+
+  colorCaps() {
+    const values = Uint8Array.from(this.cellOfCapPoint.flatMap((cell) => [...this.colorOf(cell)]));
+    setColorsOf(this.caps, values);
   }
 
   updateOutline() {
@@ -276,8 +275,7 @@ export class Scene {
     const { lower, upper } = this.boxOf();
     if (lower[0] <= upper[0]) {
       this.renderer.resetCamera([lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]]);
-      this.camera.zoom(1);
-      this.moveCamera(1 / 1.25);
+      this.moveCamera(0.72);
     }
     this.requestPicture();
   }

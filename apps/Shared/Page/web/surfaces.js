@@ -3,9 +3,9 @@
 /** Each wall by its own points, with their normals, its triangles and its outline: as the wall is in its first cell. */
 function collectWalls(tissue) {
   const { points, triangles, walls } = tissue;
-  const numberOfPoints = points.length / 3;
-  const owner = new Int32Array(numberOfPoints).fill(-1);
-  const number = new Int32Array(numberOfPoints);
+  const isOnLine = findLines(tissue);
+  const owner = new Int32Array(points.length / 3).fill(-1);
+  const number = new Int32Array(points.length / 3);
   const collected = [];
   for (let w = 0, t = 0; 3 * w < walls.length; ++w) {
     const end = t + walls[3 * w + 2];
@@ -21,29 +21,57 @@ function collectWalls(tissue) {
       corners[i - 3 * t] = number[p];
     }
     const position = new Float32Array(3 * ids.length);
-    ids.forEach((p, i) => position.set(points.subarray(3 * p, 3 * p + 3), 3 * i));
-    collected.push({ position, normal: computeNormals(position, corners), corners, outline: findOutline(corners) });
+    ids.forEach((p, i) => {
+      position[3 * i] = points[3 * p];
+      position[3 * i + 1] = points[3 * p + 1];
+      position[3 * i + 2] = points[3 * p + 2];
+    });
+    const outline = findOutline(corners, ids.map((p) => isOnLine[p]));
+    collected.push({ ids, position, normal: computeNormals(position, corners), corners, outline });
     t = end;
   }
   return collected;
+}
+
+/** Whether each point is of several walls. */
+function findLines({ points, triangles, walls }) {
+  const first = new Int32Array(points.length / 3).fill(-1);
+  const isOnLine = new Uint8Array(points.length / 3);
+  for (let w = 0, i = 0; 3 * w < walls.length; ++w) {
+    for (const end = i + 3 * walls[3 * w + 2]; i < end; ++i) {
+      const p = triangles[i];
+      if (first[p] < 0) {
+        first[p] = w;
+      } else if (first[p] !== w) {
+        isOnLine[p] = 1;
+      }
+    }
+  }
+  return isOnLine;
 }
 
 /** The sum of the triangles' normals, by their areas, at each point; of length 1. */
 function computeNormals(position, corners) {
   const normal = new Float32Array(position.length);
   for (let i = 0; i < corners.length; i += 3) {
-    const [a, b, c] = [3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]];
-    const [ux, uy, uz] = [position[b] - position[a], position[b + 1] - position[a + 1], position[b + 2] - position[a + 2]];
-    const [vx, vy, vz] = [position[c] - position[a], position[c + 1] - position[a + 1], position[c + 2] - position[a + 2]];
-    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    for (const p of [a, b, c]) {
-      normal[p] += nx;
-      normal[p + 1] += ny;
-      normal[p + 2] += nz;
+    const a = 3 * corners[i];
+    const b = 3 * corners[i + 1];
+    const c = 3 * corners[i + 2];
+    const ux = position[b] - position[a];
+    const uy = position[b + 1] - position[a + 1];
+    const uz = position[b + 2] - position[a + 2];
+    const vx = position[c] - position[a];
+    const vy = position[c + 1] - position[a + 1];
+    const vz = position[c + 2] - position[a + 2];
+    for (let k = 0; k < 3; ++k) {
+      const p = 3 * corners[i + k];
+      normal[p] += uy * vz - uz * vy;
+      normal[p + 1] += uz * vx - ux * vz;
+      normal[p + 2] += ux * vy - uy * vx;
     }
   }
   for (let p = 0; p < normal.length; p += 3) {
-    const length = Math.hypot(normal[p], normal[p + 1], normal[p + 2]) || 1;
+    const length = Math.sqrt(normal[p] ** 2 + normal[p + 1] ** 2 + normal[p + 2] ** 2) || 1;
     normal[p] /= length;
     normal[p + 1] /= length;
     normal[p + 2] /= length;
@@ -54,19 +82,22 @@ function computeNormals(position, corners) {
 // Above any number of points of a wall; two of them make a number that is still exact.
 const span = 2 ** 26;
 
-/** The edges that one triangle has alone, two points each. */
-function findOutline(corners) {
-  const edges = new Map();
-  for (let i = 0; i < corners.length; i += 3) {
-    for (let k = 0; k < 3; ++k) {
-      const [a, b] = [corners[i + k], corners[i + ((k + 1) % 3)]];
-      const opposite = b * span + a;
-      if (!edges.delete(opposite)) {
-        edges.set(a * span + b, [a, b]);
-      }
+/** The edges that one triangle has alone, two points each; they are all between points that the wall shares. A wall that
+ * shares none, as that of a cell with no neighbour, has no outline. */
+function findOutline(corners, isShared) {
+  const edges = new Set();
+  for (let i = 0; i < corners.length; ++i) {
+    const a = corners[i];
+    const b = corners[i % 3 === 2 ? i - 2 : i + 1];
+    if (isShared[a] && isShared[b] && !edges.delete(b * span + a)) {
+      edges.add(a * span + b);
     }
   }
-  return [...edges.values()].flat();
+  const outline = [];
+  for (const edge of edges) {
+    outline.push(Math.floor(edge / span), edge % span);
+  }
+  return outline;
 }
 
 /** How many points, corners and ends of edges each cell has, summed up: `starts[c]` is the first of cell c. */
@@ -110,6 +141,9 @@ export function buildSurfaces(tissue) {
     cornerStart,
     edgeStart,
     ways: findWays(tissue),
+    // Of the mesh.
+    ids: new Uint32Array(pointStart[last]),
+    numberOfIds: tissue.points.length / 3,
     points: new Float32Array(3 * pointStart[last]),
     normals: new Float32Array(3 * pointStart[last]),
     corners: new Uint32Array(cornerStart[last]),
@@ -125,6 +159,7 @@ export function buildSurfaces(tissue) {
         continue;
       }
       const first = atPoint[c];
+      surfaces.ids.set(wall.ids, first);
       surfaces.points.set(wall.position, 3 * first);
       surfaces.normals.set(side === 0 ? wall.normal : wall.normal.map((n) => -n), 3 * first);
       atPoint[c] += wall.position.length / 3;
@@ -171,71 +206,46 @@ export function listShown(indices, starts, size, isShown) {
   return list;
 }
 
-/** The segments in which a plane cuts the surfaces that are shown, six coordinates each. */
-export function cutSurfaces(surfaces, points, isShown, plane) {
-  const [nx, ny, nz] = plane.normal;
-  const height = new Float32Array(points.length / 3);
-  for (let p = 0; p < height.length; ++p) {
-    height[p] = nx * points[3 * p] + ny * points[3 * p + 1] + nz * points[3 * p + 2] - plane.offset;
-  }
-  const segments = [];
-  isShown.forEach((shown, c) => {
-    for (let i = surfaces.cornerStart[c]; shown && i < surfaces.cornerStart[c + 1]; i += 3) {
-      for (let k = 0; k < 3; ++k) {
-        const [a, b] = [surfaces.corners[i + k], surfaces.corners[i + ((k + 1) % 3)]];
-        if (height[a] >= 0 !== height[b] >= 0) {
-          const share = height[a] / (height[a] - height[b]);
-          for (let axis = 0; axis < 3; ++axis) {
-            segments.push(points[3 * a + axis] + share * (points[3 * b + axis] - points[3 * a + axis]));
-          }
-        }
-      }
-    }
-  });
-  return Float32Array.from(segments);
-}
-
-/** The cell that a ray meets first, or -1. What is below the plane is cut away, and a cell that the ray enters through
- * the cut is met there. */
+/** The cell that a ray meets first, or -1. What is below the plane is cut away, and a cell that the ray is in there is
+ * met at the plane. */
 export function pickCell(surfaces, points, isShown, ray, plane) {
-  const [ox, oy, oz] = ray.origin;
-  const [dx, dy, dz] = ray.direction;
-  const enters = plane ? (plane.offset - dot(plane.normal, ray.origin)) / dot(plane.normal, ray.direction) : 0;
+  const start = plane ? (plane.offset - dot(plane.normal, ray.origin)) / dot(plane.normal, ray.direction) : 0;
   let nearest = { distance: Infinity, cell: -1 };
   for (let c = 0; c < surfaces.numberOfCells; ++c) {
-    for (let i = surfaces.cornerStart[c]; isShown[c] && i < surfaces.cornerStart[c + 1]; i += 3) {
-      const [a, b, d] = [3 * surfaces.corners[i], 3 * surfaces.corners[i + 1], 3 * surfaces.corners[i + 2]];
-      const [ux, uy, uz] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
-      const [vx, vy, vz] = [points[d] - points[a], points[d + 1] - points[a + 1], points[d + 2] - points[a + 2]];
-      // Möller and Trumbore 1997.
-      const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
-      const determinant = ux * px + uy * py + uz * pz;
-      if (determinant === 0) {
-        continue;
-      }
-      const [sx, sy, sz] = [ox - points[a], oy - points[a + 1], oz - points[a + 2]];
-      const first = (sx * px + sy * py + sz * pz) / determinant;
-      if (first < 0 || first > 1) {
-        continue;
-      }
-      const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
-      const second = (dx * qx + dy * qy + dz * qz) / determinant;
-      const distance = (vx * qx + vy * qy + vz * qz) / determinant;
-      if (second < 0 || first + second > 1 || distance <= 0) {
-        continue;
-      }
-      const at = [ox + distance * dx, oy + distance * dy, oz + distance * dz];
-      if (plane && dot(plane.normal, at) < plane.offset) {
-        continue;
-      }
-      const isBehind = determinant < 0;
-      const met = isBehind && plane ? enters : distance;
-      if ((plane || !isBehind) && met < nearest.distance) {
-        nearest = { distance: met, cell: c };
-      }
+    const hit = isShown[c] ? findFirstHit(surfaces, points, c, ray, plane) : null;
+    const distance = hit && (hit.isLeft && plane ? start : hit.distance);
+    if (hit && distance < nearest.distance) {
+      nearest = { distance, cell: c };
     }
   }
   return nearest.cell;
+}
+
+/** Where a ray meets the surface of a cell first, and whether it leaves the cell there; null where it does not. */
+function findFirstHit(surfaces, points, cell, ray, plane) {
+  const [ox, oy, oz] = ray.origin;
+  const [dx, dy, dz] = ray.direction;
+  const { corners, cornerStart } = surfaces;
+  let hit = null;
+  for (let i = cornerStart[cell]; i < cornerStart[cell + 1]; i += 3) {
+    // Möller and Trumbore 1997, doi:10.1080/10867651.1997.10487468.
+    const [a, b, c] = [3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]];
+    const [ux, uy, uz] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
+    const [vx, vy, vz] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
+    const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
+    const determinant = ux * px + uy * py + uz * pz;
+    const [sx, sy, sz] = [ox - points[a], oy - points[a + 1], oz - points[a + 2]];
+    const first = (sx * px + sy * py + sz * pz) / determinant;
+    const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
+    const second = (dx * qx + dy * qy + dz * qz) / determinant;
+    const distance = (vx * qx + vy * qy + vz * qz) / determinant;
+    const isMet = first >= 0 && second >= 0 && first + second <= 1 && distance > 0 && distance < (hit?.distance ?? Infinity);
+    const at = [ox + distance * dx, oy + distance * dy, oz + distance * dz];
+    if (isMet && !(plane && dot(plane.normal, at) < plane.offset)) {
+      hit = { distance, isLeft: determinant < 0 };
+    }
+  }
+  return hit;
 }
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
