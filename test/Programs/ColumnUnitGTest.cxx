@@ -24,6 +24,8 @@ TEST(ColumnUnit, LengthsHaveTheSymbolOfTheirUnit)
 {
   EXPECT_EQ(tissue::LengthSymbol("micrometres"), "µm");
   EXPECT_EQ(tissue::LengthSymbol("millimetres"), "mm");
+  EXPECT_EQ(tissue::LengthSymbol("um"), "µm");
   EXPECT_EQ(tissue::LengthSymbol("nm"), "nm");
+  EXPECT_EQ(tissue::LengthSymbol("voxels"), "voxel");
   EXPECT_EQ(tissue::LengthSymbol(""), "unit");
 }

@@ -139,10 +139,9 @@ class PageTest(unittest.TestCase):
         self.choose("scope", "one")
         seen = self.look(self.picture())
         self.assertNotEqual(seen["middle"], seen["corner"])
-        other = next(cell for cell in self.driver.find_elements(By.CSS_SELECTOR, "#table tr[data-cell] td:first-child")
-                     if cell.text != label and cell.is_displayed())
-        other_label = other.text
-        self.driver.execute_script("arguments[0].scrollIntoView({ block: 'center' })", other)
+        self.driver.execute_script("arguments[0].scrollIntoView({ block: 'center' })", self.find("table"))
+        other = row.find_element(By.XPATH, "following-sibling::tr[@data-cell] | preceding-sibling::tr[@data-cell]")
+        other_label = other.find_element(By.TAG_NAME, "td").text
         other.click()
         self.assertEqual(self.selected_label(), other_label)
         self.press(Keys.ESCAPE)

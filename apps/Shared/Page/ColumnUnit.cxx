@@ -13,11 +13,11 @@ namespace tissue
 std::string
 LengthSymbol(const std::string & unit)
 {
-  if (unit.empty())
-  {
-    return "unit";
-  }
-  return unit == "micrometres" ? "µm" : unit == "millimetres" ? "mm" : unit;
+  static const std::map<std::string, const char *> symbols{ { "", "unit" },          { "units", "unit" },
+                                                            { "voxels", "voxel" },   { "um", "µm" },
+                                                            { "micrometres", "µm" }, { "millimetres", "mm" } };
+  const auto                                       symbol = symbols.find(unit);
+  return symbol == symbols.end() ? unit : symbol->second;
 }
 
 std::string

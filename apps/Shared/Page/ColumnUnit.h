@@ -11,8 +11,8 @@
 
 namespace tissue
 {
-/** The symbol of a unit of length: `µm` for "micrometres", `mm` for "millimetres", itself for all others that are not
- * empty, and `unit` where it is not known. */
+/** The symbol of a unit of length as the report has it, of an image or of points: `µm` for "micrometres" and "um", `mm`
+ * for "millimetres", `voxel` for "voxels", `unit` where it is not known; all others are symbols. */
 std::string
 LengthSymbol(const std::string & unit);
 

@@ -6,6 +6,19 @@ const width = 520;
 const labelWidth = 150;
 const barHeight = 15;
 
+/** Stages and steps of the report, for people; others are as they are called. */
+const stepNames = {
+  closeGaps: 'closing of gaps',
+  extractJunctions: 'search for junctions',
+  delaunay: 'Delaunay',
+  cleaned: 'clean-up',
+  nerve: "image's own complex",
+  optimized: 'optimization',
+  dual: 'dual and fit',
+  check: 'check and statistics',
+};
+const nameStep = (name) => stepNames[name] ?? spellOut(name).toLowerCase();
+
 /** Horizontal bars in groups. \param groups of `name` and `bars`, of `value`, `text` and `color`. */
 function drawBars(groups, greatest, axis) {
   const plotWidth = width - labelWidth - 60;
@@ -48,7 +61,7 @@ function drawStages(title, stages) {
   const groups = Object.entries(stages)
     .filter(([, stage]) => Number.isFinite(stage?.adjacency2))
     .map(([name, stage]) => ({
-      name,
+      name: nameStep(name),
       bars: measures
         .filter(([key]) => Number.isFinite(stage[key]))
         .map(([key, , color]) => ({ value: stage[key], text: stage[key].toFixed(3), color })),
@@ -68,7 +81,7 @@ function drawSeconds(seconds) {
   const total = steps.reduce((sum, [, value]) => sum + value, 0);
   const greatest = Math.max(...steps.map(([, value]) => value), 1e-3);
   const groups = steps.map(([name, value]) => ({
-    name: spellOut(name),
+    name: nameStep(name),
     bars: [{ value, text: `${formatNumber(Number(value.toPrecision(3)))} s`, color: 'var(--bar)' }],
   }));
   const caption = `${formatNumber(Number(total.toPrecision(3)))} s in all, on ${seconds.threads} threads; without writing.`;

@@ -275,7 +275,8 @@ export class Scene {
     const { lower, upper } = this.boxOf();
     if (lower[0] <= upper[0]) {
       this.renderer.resetCamera([lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]]);
-      this.moveCamera(0.72);
+      const { clientWidth, clientHeight } = this.container;
+      this.moveCamera(0.72 * Math.max(1, clientHeight / (clientWidth || 1)));
     }
     this.requestPicture();
   }
