@@ -24,7 +24,7 @@ FOLDER, CHROMIUM, CHROMEDRIVER = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 PROFILE = tempfile.TemporaryDirectory()
 ARGUMENTS = ["--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
              "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
-             "--enable-unsafe-swiftshader", "--window-size=1200,900", "--user-data-dir=" + PROFILE.name]
+             "--enable-unsafe-swiftshader", "--window-size=1000,750", "--user-data-dir=" + PROFILE.name]
 
 # Red, green and blue of the middle of a picture, of its corner, and the number of its colours.
 LOOK = """
@@ -130,8 +130,8 @@ class PageTest(unittest.TestCase):
         before = self.picture()
         self.expect_other_picture(before, self.click_middle)
         label = self.selected_label()
-        row = self.driver.find_element(By.CSS_SELECTOR, '#table tr[aria-selected="true"]')
-        self.assertEqual(row.find_element(By.TAG_NAME, "td").text, label)
+        find_row = lambda: self.driver.find_element(By.CSS_SELECTOR, '#table tr[aria-selected="true"]')
+        self.assertEqual(find_row().find_element(By.TAG_NAME, "td").text, label)
         volume = next(float(cell["Volume"]) for cell in self.cells if cell["Label"] == label)
         shown = self.find("selection").text.split("\nVolume\n")[1].split()[0]
         self.assertAlmostEqual(float(shown), volume, delta=1e-4 * volume)
@@ -140,7 +140,7 @@ class PageTest(unittest.TestCase):
         seen = self.look(self.picture())
         self.assertNotEqual(seen["middle"], seen["corner"])
         self.driver.execute_script("arguments[0].scrollIntoView({ block: 'center' })", self.find("table"))
-        other = row.find_element(By.XPATH, "following-sibling::tr[@data-cell] | preceding-sibling::tr[@data-cell]")
+        other = find_row().find_element(By.XPATH, "following-sibling::tr[@data-cell] | preceding-sibling::tr[@data-cell]")
         other_label = other.find_element(By.TAG_NAME, "td").text
         other.click()
         self.assertEqual(self.selected_label(), other_label)
