@@ -140,7 +140,7 @@ class PageTest(unittest.TestCase):
         seen = self.look(self.picture())
         self.assertNotEqual(seen["middle"], seen["corner"])
         self.driver.execute_script("arguments[0].scrollIntoView({ block: 'center' })", self.find("table"))
-        other = find_row().find_element(By.XPATH, "following-sibling::tr[@data-cell] | preceding-sibling::tr[@data-cell]")
+        other = find_row().find_element(By.XPATH, "following-sibling::tr[@data-cell][1] | preceding-sibling::tr[@data-cell][1]")
         other_label = other.find_element(By.TAG_NAME, "td").text
         other.click()
         self.assertEqual(self.selected_label(), other_label)

@@ -12,7 +12,7 @@ import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
 import { cutCells } from './section.js';
-import { add, cross, listShown, movePoints, pickCell, scaleTo, thickenEdges } from './surfaces.js';
+import { add, cross, findSeen, listPrimitives, movePoints, pickCell, scaleTo, thickenEdges } from './surfaces.js';
 
 // Lines are a little nearer than the surfaces they are on, those of the selected cell before everything.
 const lineUniforms = 'uniform vec2 depthTerms;\n//VTK::Light::Dec';
@@ -112,8 +112,11 @@ export class Scene {
   resize() {
     const { width, height } = this.container.getBoundingClientRect();
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    this.view.setSize(Math.max(Math.round(width * ratio), 1), Math.max(Math.round(height * ratio), 1));
-    this.requestPicture();
+    const size = [width, height].map((length) => Math.max(Math.round(length * ratio), 1));
+    if (String(size) !== String(this.view.getSize())) {
+      this.view.setSize(...size);
+      this.requestPicture();
+    }
   }
 
   requestPicture() {
@@ -157,7 +160,11 @@ export class Scene {
   /** Moves each cell by a share of its way from the middle; the camera steps back as much. */
   setExplosion(share) {
     this.moveCamera((1 + share) / (1 + this.explosion));
+    const wasApart = this.explosion > 0;
     this.explosion = share;
+    if (wasApart !== share > 0) {
+      this.updateShown();
+    }
     this.points = movePoints(this.surfaces, share);
     this.updatePoints();
     this.updateSection();
@@ -206,9 +213,9 @@ export class Scene {
   }
 
   updateShown() {
-    const { corners, cornerStart, edges, edgeStart } = this.surfaces;
-    this.cells.data.getPolys().setData(listShown(corners, cornerStart, 3, this.isShown));
-    this.edges.data.getLines().setData(listShown(edges, edgeStart, 2, this.isShown));
+    const { corners, edges } = findSeen(this.surfaces, this.isShown, this.explosion > 0);
+    this.cells.data.getPolys().setData(listPrimitives(corners, 3));
+    this.edges.data.getLines().setData(listPrimitives(edges, 2));
     this.cells.data.modified();
     this.edges.data.modified();
   }
@@ -218,9 +225,8 @@ export class Scene {
     const none = { points: [], cellOfPoint: [], lines: [], triangles: [] };
     const section = this.plane ? cutCells(this.surfaces, this.points, this.isShown, this.plane) : none;
     const points = Float32Array.from(section.points);
-    const all = (indices) => [Uint32Array.from(indices), [0, indices.length]];
-    this.caps.data.getPolys().setData(listShown(...all(section.triangles), 3, [true]));
-    this.section.data.getLines().setData(listShown(...all(section.lines), 2, [true]));
+    this.caps.data.getPolys().setData(listPrimitives(section.triangles, 3));
+    this.section.data.getLines().setData(listPrimitives(section.lines, 2));
     for (const part of [this.caps, this.section]) {
       part.data.getPoints().setData(points, 3);
       part.data.modified();
@@ -238,10 +244,7 @@ export class Scene {
   updateOutline() {
     const isThere = this.selected >= 0 && this.isShown[this.selected];
     const points = isThere ? thickenEdges(this.surfaces, this.points, this.selected, this.edgeRadius()) : new Float32Array();
-    const polys = new Uint32Array((points.length / 9) * 4);
-    for (let i = 0; i < polys.length / 4; ++i) {
-      polys.set([3, 3 * i, 3 * i + 1, 3 * i + 2], 4 * i);
-    }
+    const polys = listPrimitives(Array.from({ length: points.length / 3 }, (_, i) => i), 3);
     this.outline.data.getPoints().setData(points, 3);
     this.outline.data.getPolys().setData(polys);
     this.outline.data.modified();

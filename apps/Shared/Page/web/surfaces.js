@@ -148,6 +148,8 @@ export function buildSurfaces(tissue) {
     normals: new Float32Array(3 * pointStart[last]),
     corners: new Uint32Array(cornerStart[last]),
     edges: new Uint32Array(edgeStart[last]),
+    // The walls of the cells, each on its side: the cells, the other -1 outside, and where its corners and edges are.
+    parts: [],
   };
   const atPoint = pointStart.slice();
   const atCorner = cornerStart.slice();
@@ -163,14 +165,19 @@ export function buildSurfaces(tissue) {
       surfaces.points.set(wall.position, 3 * first);
       surfaces.normals.set(side === 0 ? wall.normal : wall.normal.map((n) => -n), 3 * first);
       atPoint[c] += wall.position.length / 3;
+      const part = { cell: c, other: tissue.walls[3 * w + 1 - side] - 1, corners: [atCorner[c]], edges: [atEdge[c]] };
       for (let i = 0; i < wall.corners.length; ++i) {
         // The second cell sees the wall's triangles from behind.
         const turned = side === 0 || i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1;
         surfaces.corners[atCorner[c]++] = first + wall.corners[turned];
       }
-      for (const p of wall.outline) {
-        surfaces.edges[atEdge[c]++] = first + p;
+      for (let i = 0; i < wall.outline.length; i += 2) {
+        surfaces.edges[atEdge[c]++] = first + wall.outline[i + side];
+        surfaces.edges[atEdge[c]++] = first + wall.outline[i + 1 - side];
       }
+      part.corners.push(atCorner[c]);
+      part.edges.push(atEdge[c]);
+      surfaces.parts.push(part);
     }
   });
   return surfaces;
@@ -187,23 +194,38 @@ export function movePoints(surfaces, share) {
   return moved;
 }
 
-/** For vtkCellArray: the number of points of each polygon or line before them, of the cells that are shown. */
-export function listShown(indices, starts, size, isShown) {
-  let count = 0;
-  isShown.forEach((shown, c) => {
-    count += shown ? starts[c + 1] - starts[c] : 0;
-  });
-  const list = new Uint32Array((count / size) * (size + 1));
-  let at = 0;
-  isShown.forEach((shown, c) => {
-    for (let i = starts[c]; shown && i < starts[c + 1]; i += size) {
+/** For vtkCellArray: polygons or lines of `size` points, with that number before each. */
+export function listPrimitives(indices, size) {
+  const list = new Uint32Array((indices.length / size) * (size + 1));
+  for (let i = 0, at = 0; i < indices.length; ++i) {
+    if (i % size === 0) {
       list[at++] = size;
-      for (let k = 0; k < size; ++k) {
-        list[at++] = indices[i + k];
+    }
+    list[at++] = indices[i];
+  }
+  return list;
+}
+
+/** \brief The corners and edges that can be seen of the cells that are shown.
+ *
+ * Of cells that are together, these are those of walls with nothing behind them. Of cells apart an edge is in two walls of
+ * a cell, and listed for one. */
+export function findSeen(surfaces, isShown, isApart) {
+  const { corners, edges, ids, parts } = surfaces;
+  const seen = { corners: [], edges: [] };
+  for (const part of parts) {
+    if (isShown[part.cell] && (isApart || part.other < 0 || !isShown[part.other])) {
+      for (let i = part.corners[0]; i < part.corners[1]; ++i) {
+        seen.corners.push(corners[i]);
+      }
+      for (let i = part.edges[0]; i < part.edges[1]; i += 2) {
+        if (!isApart || ids[edges[i]] < ids[edges[i + 1]]) {
+          seen.edges.push(edges[i], edges[i + 1]);
+        }
       }
     }
-  });
-  return list;
+  }
+  return seen;
 }
 
 /** The cell that a ray meets first, or -1. What is below the plane is cut away, and a cell that the ray is in there is

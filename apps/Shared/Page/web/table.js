@@ -22,7 +22,7 @@ export class CellTable {
     const table = make('table', { 'aria-label': 'Cells', 'aria-rowcount': tissue.numberOfCells + 1 },
       make('thead', {}, make('tr', {}, ...heads)), this.body);
     this.grid = make('div', { class: 'grid', tabindex: 0, 'aria-label': 'Table of cells', role: 'region' }, table);
-    this.grid.addEventListener('scroll', () => this.draw());
+    this.grid.addEventListener('scroll', () => this.firstRow() !== this.first && this.draw());
     this.grid.addEventListener('keydown', (event) => this.press(event));
     this.body.addEventListener('click', (event) => {
       const row = event.target.closest('tr[data-cell]');
@@ -77,10 +77,16 @@ export class CellTable {
     this.draw();
   }
 
+  /** The first row to make: it changes once in some rows, so that most scrolling keeps the rows. */
+  firstRow() {
+    return Math.max((Math.floor(this.grid.scrollTop / rowHeight / spare) - 1) * spare, 0);
+  }
+
   /** Makes the rows that are seen, and space for all others. */
   draw() {
-    const first = Math.max(Math.floor(this.grid.scrollTop / rowHeight) - spare, 0);
-    const last = Math.min(first + Math.ceil(this.grid.clientHeight / rowHeight) + 2 * spare, this.order.length);
+    this.first = this.firstRow();
+    const { first } = this;
+    const last = Math.min(first + Math.ceil(this.grid.clientHeight / rowHeight) + 3 * spare, this.order.length);
     const space = (rows) => make('tr', { 'aria-hidden': 'true', style: `height:${rows * rowHeight}px` });
     const rows = this.order.slice(first, last).map((cell, i) => this.makeRow(cell, first + i));
     this.body.replaceChildren(space(first), ...rows, space(this.order.length - last));
