@@ -6,14 +6,13 @@
  *=========================================================================*/
 #include "Shared/Page/PageFile.h"
 
+#include "TableFromLists.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <vtkBase64Utilities.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
-#include <vtkTable.h>
 #include <vtkTypeFloat64Array.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
@@ -21,24 +20,10 @@
 
 #include <cmath>
 #include <cstring>
-#include <initializer_list>
 #include <limits>
 
 namespace
 {
-template <typename TArray, typename TValue>
-void
-AddColumn(vtkTable * table, const char * name, std::initializer_list<TValue> values)
-{
-  vtkNew<TArray> array;
-  array->SetName(name);
-  for (const TValue & value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  table->AddColumn(array);
-}
-
 template <typename TValue>
 std::vector<TValue>
 FromBase64(const std::string & text)

@@ -312,6 +312,9 @@ export class Scene {
   /** Turns about the middle of a cell from now on. */
   centerOn(cell) {
     const { lower, upper } = this.boxOf(cell);
+    if (lower[0] > upper[0]) {
+      return; // It has no surface.
+    }
     const middle = lower.map((x, axis) => (x + upper[axis]) / 2);
     const way = middle.map((x, axis) => x - this.camera.getFocalPoint()[axis]);
     this.camera.setFocalPoint(...middle);

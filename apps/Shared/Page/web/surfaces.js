@@ -129,9 +129,36 @@ function findWays(tissue) {
   return ways;
 }
 
+/** Adds a wall to the surface of a cell, `side` 0 for the first of its cells and 1 for the second, at the places `at` of
+ * the next point, corner and edge. */
+function addPart(surfaces, wall, side, cell, other, at) {
+  const first = at.point[cell];
+  const part = { cell, other, corners: [at.corner[cell]], edges: [at.edge[cell]] };
+  surfaces.ids.set(wall.ids, first);
+  surfaces.points.set(wall.position, 3 * first);
+  surfaces.normals.set(side === 0 ? wall.normal : wall.normal.map((n) => -n), 3 * first);
+  for (let i = 0; i < wall.corners.length; ++i) {
+    // The second cell sees the wall's triangles from behind.
+    const turned = side === 0 || i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1;
+    surfaces.corners[at.corner[cell]++] = first + wall.corners[turned];
+  }
+  for (let i = 0; i < wall.outline.length; i += 2) {
+    surfaces.edges[at.edge[cell]++] = first + wall.outline[i + side];
+    surfaces.edges[at.edge[cell]++] = first + wall.outline[i + 1 - side];
+  }
+  at.point[cell] += wall.ids.length;
+  part.corners.push(at.corner[cell]);
+  part.edges.push(at.edge[cell]);
+  surfaces.parts.push(part);
+}
+
+/** \brief The surfaces of all cells, those of cell c from `pointStart[c]`, `cornerStart[c]` and `edgeStart[c]` on.
+ *
+ * Three `corners` are a triangle, turned outwards, two of `edges` an edge of a wall, both by numbers of `points`; `ids` are
+ * the points' numbers in the mesh. */
 export function buildSurfaces(tissue) {
   const collected = collectWalls(tissue);
-  const pointStart = sumUp(tissue, collected, (wall) => wall.position.length / 3);
+  const pointStart = sumUp(tissue, collected, (wall) => wall.ids.length);
   const cornerStart = sumUp(tissue, collected, (wall) => wall.corners.length);
   const edgeStart = sumUp(tissue, collected, (wall) => wall.outline.length);
   const last = tissue.numberOfCells;
@@ -141,7 +168,6 @@ export function buildSurfaces(tissue) {
     cornerStart,
     edgeStart,
     ways: findWays(tissue),
-    // Of the mesh.
     ids: new Uint32Array(pointStart[last]),
     numberOfIds: tissue.points.length / 3,
     points: new Float32Array(3 * pointStart[last]),
@@ -151,33 +177,11 @@ export function buildSurfaces(tissue) {
     // The walls of the cells, each on its side: the cells, the other -1 outside, and where its corners and edges are.
     parts: [],
   };
-  const atPoint = pointStart.slice();
-  const atCorner = cornerStart.slice();
-  const atEdge = edgeStart.slice();
+  const at = { point: pointStart.slice(), corner: cornerStart.slice(), edge: edgeStart.slice() };
   collected.forEach((wall, w) => {
-    for (let side = 0; side < 2; ++side) {
-      const c = tissue.walls[3 * w + side] - 1;
-      if (c < 0) {
-        continue;
-      }
-      const first = atPoint[c];
-      surfaces.ids.set(wall.ids, first);
-      surfaces.points.set(wall.position, 3 * first);
-      surfaces.normals.set(side === 0 ? wall.normal : wall.normal.map((n) => -n), 3 * first);
-      atPoint[c] += wall.position.length / 3;
-      const part = { cell: c, other: tissue.walls[3 * w + 1 - side] - 1, corners: [atCorner[c]], edges: [atEdge[c]] };
-      for (let i = 0; i < wall.corners.length; ++i) {
-        // The second cell sees the wall's triangles from behind.
-        const turned = side === 0 || i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1;
-        surfaces.corners[atCorner[c]++] = first + wall.corners[turned];
-      }
-      for (let i = 0; i < wall.outline.length; i += 2) {
-        surfaces.edges[atEdge[c]++] = first + wall.outline[i + side];
-        surfaces.edges[atEdge[c]++] = first + wall.outline[i + 1 - side];
-      }
-      part.corners.push(atCorner[c]);
-      part.edges.push(atEdge[c]);
-      surfaces.parts.push(part);
+    const cells = [tissue.walls[3 * w] - 1, tissue.walls[3 * w + 1] - 1];
+    for (const side of [0, 1].filter((k) => cells[k] >= 0)) {
+      addPart(surfaces, wall, side, cells[side], cells[1 - side], at);
     }
   });
   return surfaces;
@@ -272,11 +276,19 @@ function findFirstHit(surfaces, points, cell, ray, plane) {
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
+/** The edges of a cell's walls; those of all its triangles where it has one wall alone. */
+function listEdges({ edges, edgeStart, corners, cornerStart }, cell) {
+  const own = [...edges.subarray(edgeStart[cell], edgeStart[cell + 1])];
+  const all = corners.subarray(cornerStart[cell], cornerStart[cell + 1]);
+  return own.length > 0 ? own : [...all].flatMap((p, i) => [p, all[i % 3 === 2 ? i - 2 : i + 1]]);
+}
+
 /** Bars of four sides along the edges of a cell: three coordinates for each corner of their triangles. */
 export function thickenEdges(surfaces, points, cell, radius) {
   const coordinates = [];
-  for (let i = surfaces.edgeStart[cell]; i < surfaces.edgeStart[cell + 1]; i += 2) {
-    const [a, b] = [surfaces.edges[i], surfaces.edges[i + 1]].map((p) => points.subarray(3 * p, 3 * p + 3));
+  const edges = listEdges(surfaces, cell);
+  for (let i = 0; i < edges.length; i += 2) {
+    const [a, b] = [edges[i], edges[i + 1]].map((p) => points.subarray(3 * p, 3 * p + 3));
     const along = [0, 1, 2].map((axis) => b[axis] - a[axis]);
     const least = along.reduce((best, value, axis) => (Math.abs(value) < Math.abs(along[best]) ? axis : best), 0);
     const u = scaleTo(cross(along, [0, 1, 2].map((axis) => Number(axis === least))), radius);
