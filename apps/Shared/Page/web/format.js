@@ -26,6 +26,9 @@ export function spellOut(name) {
   return words.charAt(0).toUpperCase() + words.slice(1).replace(/[A-Z](?=[a-z])/g, (letter) => letter.toLowerCase());
 }
 
+/** `1 cell`, `2 cells`. */
+export const countOf = (count, name) => `${count} ${name}${count === 1 ? '' : 's'}`;
+
 export const withUnit = (name, unit) => (unit ? `${name} (${unit})` : name);
 
 /** Round numbers from `least` to `greatest`, about `count` of them. */

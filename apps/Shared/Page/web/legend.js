@@ -1,6 +1,6 @@
 // The legend of the colours, which is a histogram of the values too.
 import { nameCategory, colorAt, toCss } from './colours.js';
-import { chooseTicks, formatNumber, make, withUnit, spellOut } from './format.js';
+import { chooseTicks, countOf, formatNumber, make, withUnit, spellOut } from './format.js';
 
 const width = 300;
 const plotHeight = 64;
@@ -31,10 +31,10 @@ function drawRange(column, scale) {
     const color = toCss(colorAt(scale.map, (i + 0.5) / bins.length));
     const bar = make('rect', { x, y: plotHeight - height, width: Math.max(w - 1, 0.5), height, fill: color });
     const [from, to] = [i, i + 1].map((k) => scale.least + (k / bins.length) * (scale.greatest - scale.least));
-    bar.append(make('title', {}, `${count} cells: ${formatNumber(from)} to ${formatNumber(to)} ${column.unit}`));
+    bar.append(make('title', {}, `${countOf(count, 'cell')}: ${formatNumber(from)} to ${formatNumber(to)} ${column.unit}`));
     svg.append(bar);
   });
-  svg.append(make('text', { x: width, y: 9, 'text-anchor': 'end', class: 'faint' }, `tallest: ${highest} cells`));
+  svg.append(make('text', { x: width, y: 9, 'text-anchor': 'end', class: 'faint' }, `tallest: ${countOf(highest, 'cell')}`));
   for (let i = 0; i < 100; ++i) {
     const color = toCss(colorAt(scale.map, (i + 0.5) / 100));
     svg.append(make('rect', { x: i * 3, y: plotHeight + 2, width: 3.4, height: 10, fill: color }));
@@ -64,7 +64,7 @@ function drawCategories(column, scale) {
     swatch.style.background = toCss(scale.colorOf(value));
     const bar = make('span', { class: 'swatch' });
     bar.style.cssText = `background:${toCss(scale.colorOf(value))};width:${(60 * scale.counts[i]) / most}px;height:.5em`;
-    const row = make('span', {}, swatch, `${nameCategory(column, value)} `, bar, `${scale.counts[i]} cells`);
+    const row = make('span', {}, swatch, `${nameCategory(column, value)} `, bar, countOf(scale.counts[i], 'cell'));
     row.style.flexBasis = '100%';
     list.append(row);
   });

@@ -1,7 +1,7 @@
 // Puts the page together: what the user chooses, and who has to know of it.
 import { colorMaps, makeScale, nameLayer, toCss } from './colours.js';
 import { findNeighbors, readTissue } from './data.js';
-import { formatNumber, make, spellOut, withUnit } from './format.js';
+import { countOf, formatNumber, make, spellOut, withUnit } from './format.js';
 import { drawLegend } from './legend.js';
 import { listenToKeys, navigate } from './navigation.js';
 import { drawAxes, drawScale } from './overlay.js';
@@ -32,9 +32,9 @@ class Page {
   writeHead() {
     const { input, mesh, program } = this.tissue.report;
     const name = input.file.split(/[/\\]/).pop();
-    document.title = `${name}: ${this.tissue.numberOfCells} cells`;
+    document.title = `${name}: ${countOf(this.tissue.numberOfCells, 'cell')}`;
     get('title').textContent = name;
-    const facts = [`${this.tissue.numberOfCells} cells`, `${mesh.walls} walls`, `${mesh.triangles} triangles`,
+    const facts = [countOf(this.tissue.numberOfCells, 'cell'), countOf(mesh.walls, 'wall'), countOf(mesh.triangles, 'triangle'),
       input.unit || input.pointUnit ? `lengths in ${this.tissue.unit}` : 'unit of lengths not known'];
     get('facts').textContent = facts.join(', ');
     get('maker').textContent = `${program.name} ${program.version}`;
@@ -101,7 +101,7 @@ class Page {
       });
       const swatch = make('span', { class: 'swatch', style: `background:${toCss(colorOf(value))}` });
       const count = layer.numbers.reduce((sum, v) => sum + (v === value), 0);
-      return make('label', { title: `${count} cells` }, box, ' ', swatch, `${value ? 'layer ' : ''}${nameLayer(value)}`);
+      return make('label', { title: countOf(count, 'cell') }, box, ' ', swatch, `${value ? 'layer ' : ''}${nameLayer(value)}`);
     }));
     get('scope').addEventListener('change', () => this.updateShown());
   }

@@ -1,5 +1,5 @@
 // The report: the stages and times as plots, the remarks, and all the rest as lists.
-import { chooseTicks, formatNumber, make, spellOut } from './format.js';
+import { chooseTicks, countOf, formatNumber, make, spellOut } from './format.js';
 
 
 const width = 520;
@@ -84,7 +84,7 @@ function drawSeconds(seconds) {
     name: nameStep(name),
     bars: [{ value, text: `${formatNumber(Number(value.toPrecision(3)))} s`, color: 'var(--bar)' }],
   }));
-  const caption = `${formatNumber(Number(total.toPrecision(3)))} s in all, on ${seconds.threads} threads; without writing.`;
+  const caption = `${formatNumber(Number(total.toPrecision(3)))} s in all, on ${countOf(seconds.threads, 'thread')}; without writing.`;
   return makeFigure('Time of the steps', drawBars(groups, greatest, 'time (s)'), caption);
 }
 

@@ -251,10 +251,10 @@ export class Scene {
     this.outline.actor.setVisibility(points.length > 0);
   }
 
-  /** A share of the selected cell's size. */
+  /** A share of the selected cell's size, unless it is all there is. */
   edgeRadius() {
-    const box = this.boxOf(this.selected);
-    return 0.008 * Math.hypot(...box.upper.map((x, axis) => x - box.lower[axis]));
+    const sizeOf = ({ lower, upper }) => Math.hypot(...upper.map((x, axis) => x - lower[axis]));
+    return Math.min(0.008 * sizeOf(this.boxOf(this.selected)), 0.003 * sizeOf(this.boxOf()));
   }
 
   /** Of a cell as it is moved, or of all that are shown. */
@@ -279,7 +279,7 @@ export class Scene {
     if (lower[0] <= upper[0]) {
       this.renderer.resetCamera([lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]]);
       const { clientWidth, clientHeight } = this.container;
-      this.moveCamera(0.72 * Math.max(1, clientHeight / (clientWidth || 1)));
+      this.moveCamera(0.78 * Math.max(1, clientHeight / (clientWidth || 1)));
     }
     this.requestPicture();
   }

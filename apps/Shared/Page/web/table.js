@@ -1,5 +1,5 @@
 // The table of the cells: sorts, finds, and makes only the rows that are seen.
-import { formatValue, make, spellOut } from './format.js';
+import { countOf, formatValue, make, spellOut } from './format.js';
 
 const rowHeight = 28;
 const spare = 8;
@@ -73,7 +73,7 @@ export class CellTable {
       head.setAttribute('aria-sort', isSorted ? (isAscending ? 'ascending' : 'descending') : 'none');
     });
     const all = this.tissue.numberOfCells;
-    this.status.textContent = this.wanted ? `${this.order.length} of ${all} cells` : `${all} cells`;
+    this.status.textContent = this.wanted ? `${this.order.length} of ${countOf(all, 'cell')}` : countOf(all, 'cell');
     this.draw();
   }
 
