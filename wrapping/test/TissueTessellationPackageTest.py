@@ -203,7 +203,7 @@ class MeshTest(unittest.TestCase):
         thread = threading.Thread(target=count)
         thread.start()
         try:
-            tissuetessellation.mesh(self.image, progress=lambda share, phase: steps.append((share, phase, counts["meanwhile"])))
+            tissuetessellation.mesh(self.image, progress=lambda *step: steps.append((*step, counts["meanwhile"])))
         finally:
             is_done.set()
             thread.join()

@@ -17,7 +17,7 @@ def check_labels(labels):
             "skimage.measure.label() does"
         )
     if array.dtype.kind not in "iu":
-        raise ValueError(f"labels are {array.dtype}, must be integers: labels.astype(np.int64), if they are whole numbers")
+        raise ValueError(f"labels are {array.dtype}, must be integers: labels.astype(np.int64), if they are whole")
     if array.ndim != 3:
         raise ValueError(f"labels have the shape {array.shape}, must have three axes: z, y, x")
     if array.size == 0:
@@ -25,6 +25,13 @@ def check_labels(labels):
     if array.dtype.itemsize == 8 and array.dtype.kind == "u" and array.max() > _LARGEST_LABEL:
         raise ValueError(f"Label {array.max()} is above the limit of {_LARGEST_LABEL}")
     return array
+
+
+def find_free_label(labels):
+    """The greatest negative label that is none of those, which ascend: for an exterior that has none of its own."""
+    negative = labels[labels < 0][::-1]
+    taken = negative == -1 - np.arange(len(negative))
+    return -1 - (len(taken) if taken.all() else int(np.argmin(taken)))
 
 
 class Numbering:
@@ -46,7 +53,7 @@ class Numbering:
         else:
             found = np.unique(np.concatenate([np.unique(plane.astype(np.int64)) for plane in array]))
         self._present = found.astype(np.int64)
-        first = self._free_label() if zero_is_cell else 0
+        first = find_free_label(self._present) if zero_is_cell else 0
         self.labels = np.concatenate([[first], self._present if zero_is_cell else self._present[self._present != 0]])
         self.labels = self.labels.astype(np.int64)
         # Of the labels that are there, in their order.
@@ -60,10 +67,6 @@ class Numbering:
 
     def _offsets(self, plane):
         return plane.astype(np.int64) - self._low
-
-    def _free_label(self):
-        """A negative label that no cell has, for an exterior that has none."""
-        return min(0, int(self._present[0])) - 1
 
     def number_of(self, label, what):
         """The number of a label, which must be there. \"what\" is said of it otherwise (ValueError)."""
@@ -85,4 +88,4 @@ class Numbering:
 
     def label_of(self, number):
         """The label of a number; of one that is no label's, which stands for the exterior, a label that no cell has."""
-        return int(self.labels[number]) if 0 <= number < len(self.labels) else self._free_label()
+        return int(self.labels[number]) if 0 <= number < len(self.labels) else find_free_label(self._present)

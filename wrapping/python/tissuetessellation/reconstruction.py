@@ -8,7 +8,7 @@ import itk
 import numpy as np
 
 from .collecting import collect
-from .numbering import Numbering, check_labels
+from .numbering import Numbering, check_labels, find_free_label
 
 _OPTIONS = """
     preset -- "default": the complex comes from the image and the walls are fitted to it; "paper": the method of Cerutti
@@ -101,7 +101,7 @@ def _make_image(numbers, image_type, spacing, origin):
         values = np.asarray(values, dtype=float)
         kind = "positive " if name == "spacing" else ""
         if values.shape != (3,) or not np.isfinite(values).all() or (kind and not (values > 0).all()):
-            raise ValueError(f"{name} is {values.tolist()}, must be three {kind}numbers: z, y, x")
+            raise ValueError(f"{name} is {values.tolist()}, must be {kind}numbers for z, y, x")
         setter(values[::-1].tolist())
     return image
 
@@ -146,8 +146,8 @@ def mesh(
         and be negative, up to 2^63 - 1. The array stays as it is.
     spacing -- size of a voxel along z, y, x.
     origin -- physical position of the centre of the first voxel, z, y, x. (Results are x, y, z.)
-    exterior_label -- label of the exterior, or several; default: found in the image. The outside of the image and, unless
-        it is a cell, 0 are exterior, too.
+    exterior_label -- label of the exterior, or several; default: found in the image. The outside of the image and,
+        unless it is a cell, 0 are exterior, too.
     zero_is_cell -- 0 is a cell like others.
     drop_labels -- labels that are no cells, and join the exterior.
     drop_suspects -- drop all labels that by size, place and pieces are suspected to be no cells.
@@ -262,7 +262,7 @@ def mesh_points(
     numbering = np.concatenate([[0], cell_labels[order]])
 
     def label_of(number):
-        return int(numbering[number]) if 0 <= number < len(numbering) else min(0, int(numbering.min())) - 1
+        return int(numbering[number]) if 0 <= number < len(numbering) else find_free_label(np.sort(cell_labels))
 
     reference = None if box is None else _make_box(box, offset)
     with _reasons(label_of):

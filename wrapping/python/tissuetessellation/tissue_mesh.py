@@ -14,11 +14,11 @@ _WALL_ARRAYS = ("Area", "Planarity", "PlaneDistance", "MeanCurvature", "CutArea"
 class TissueMesh:
     """The triangular mesh of all walls of a tissue: each wall once, shared by its two cells.
 
-    Positions and vectors are x, y, z in physical units (LPS), those of the spacing and the origin that were given; array
-    axes are the other way round. The triangles of all walls of a cell form a closed surface, at most four cells (three
-    and the exterior) meet at a point, and a triangle's normal, by the right-hand rule, points from the first cell of its
-    wall to the second. Of two cells the one of the smaller label is the first, the exterior is always the second. What
-    cannot be measured is NaN.
+    Positions and vectors are x, y, z in physical units (LPS), those of the spacing and the origin that were given; the
+    array's axes are the other way round. The triangles of all walls of a cell form a closed surface, at most four
+    cells (three and the exterior) meet at a point, and a triangle's normal, by the right-hand rule, points from the
+    first cell of its wall to the second. Of two cells the one of the smaller label is the first, the exterior is always
+    the second. What cannot be measured is NaN.
 
     points           float64 (n, 3)  the points
     triangles        int64 (m, 3)    indices of the points
@@ -50,7 +50,7 @@ class TissueMesh:
         return self.cells["Label"]
 
     def surface(self, label):
-        """The closed surface of a cell: its triangles (k, 3), turned outwards. Raises ValueError for no cell's label."""
+        """The closed surface of a cell: its triangles (k, 3), turned outwards. Raises ValueError for other labels."""
         if label not in self.labels:
             raise ValueError(f"There is no cell {label}: the mesh has {len(self.labels)} cells")
         outward = self.triangles[self.boundary_labels[:, 0] == label]
@@ -70,7 +70,7 @@ class TissueMesh:
         return arrays
 
     def to_vtk(self):
-        """A vtkPolyData with all arrays, as the program's walls.vtp: `Label` is the active scalars. Needs VTK's Python."""
+        """A vtkPolyData with all arrays, as the program's walls.vtp; `Label` is active. Needs VTK's Python."""
         from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
         from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
         from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
