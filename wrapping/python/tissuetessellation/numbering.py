@@ -22,7 +22,7 @@ def check_labels(labels):
         raise ValueError(f"labels have the shape {array.shape}, must have three axes: z, y, x")
     if array.size == 0:
         raise ValueError(f"labels have the shape {array.shape}: there is no voxel")
-    if array.dtype.itemsize == 8 and array.dtype.kind == "u" and array.max() > _LARGEST_LABEL:
+    if int(array.max()) > _LARGEST_LABEL:
         raise ValueError(f"Label {array.max()} is above the limit of {_LARGEST_LABEL}")
     return array
 
