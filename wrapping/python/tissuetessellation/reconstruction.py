@@ -10,29 +10,22 @@ import numpy as np
 from .collecting import collect
 from .numbering import Numbering, check_labels, find_free_label
 
-_OPTIONS = """
-    preset -- "default": the complex comes from the image and the walls are fitted to it; "paper": the method of Cerutti
-        et al. 2015 to the letter, a complex of the cells' centres.
-    triangles_per_cell -- of the fitted walls, each counted once, 40 .. 10000; default 150.
+_OPTIONS = """    triangles_per_cell -- of the fitted walls, each counted once, 40 .. 10000; default 150.
     refinement -- times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. At 0, fitted
         walls are the fitted stars, of few triangles.
-    smoothing_iterations -- of walls that are not fitted, 0 .. 10000; default 10.
-    maximum_edge_length -- preset "paper": surface triangles with a longer edge are removed in the clean-up; in the
-        units of the points; default 0: from the distances of neighbouring cells.
-    number_of_cycles -- preset "paper": temperature cycles of the annealing, 0 .. 1000; default 5.
-    seed -- preset "paper": of the annealing; default 1.
     threads -- how many; default: as many as there are processors. The mesh is the same for any number.
     progress -- called with the share done, 0 .. 1, and a few words for what is being done; to stop, raise an exception.
 
     The options of the C++ filter that are left out (None) are at its defaults. Other threads of Python run meanwhile.
-    What the C++ filters refuse is a RuntimeError, what is refused here a ValueError, with their reasons."""
+    What the C++ filters refuse is a RuntimeError, what is refused here a ValueError, with their reasons.
+    """
 
 _PIXEL_TYPES = ((np.uint16, "US"), (np.uint32, "UI"), (np.uint64, "UL"), (np.uint8, "UC"))
 _LAYERS = {"automatic": "Layer_Automatic", "on": "Layer_On", "off": "Layer_Off"}
 
 
 def _documented(function):
-    function.__doc__ += _OPTIONS + "\n    "
+    function.__doc__ += _OPTIONS
     return function
 
 
@@ -131,12 +124,12 @@ def mesh(
     drop_labels=(),
     drop_suspects=False,
     preset="default",
-    triangles_per_cell=None,
-    refinement=None,
     smoothing_iterations=None,
     maximum_edge_length=None,
     number_of_cycles=None,
     seed=None,
+    triangles_per_cell=None,
+    refinement=None,
     threads=None,
     progress=None,
 ):
@@ -151,6 +144,13 @@ def mesh(
     zero_is_cell -- 0 is a cell like others.
     drop_labels -- labels that are no cells, and join the exterior.
     drop_suspects -- drop all labels that by size, place and pieces are suspected to be no cells.
+    preset -- "default": the complex comes from the image and the walls are fitted to it; "paper": the method of Cerutti
+        et al. 2015 to the letter, a complex of the cells' centres.
+    smoothing_iterations -- of walls that are not fitted, 0 .. 10000; default 10.
+    maximum_edge_length -- preset "paper": surface triangles with a longer edge are removed in the clean-up; in the
+        units of the points; default 0: from the distances of neighbouring cells.
+    number_of_cycles -- preset "paper": temperature cycles of the annealing, 0 .. 1000; default 5.
+    seed -- preset "paper": of the annealing; default 1.
 """
     array = check_labels(labels)
     numbering = Numbering(array, zero_is_cell)
