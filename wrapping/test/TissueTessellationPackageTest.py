@@ -156,6 +156,7 @@ class MeshTest(unittest.TestCase):
             (self.image.astype(float), "must be integers"),
             (self.image[0], "three axes"),
             (np.zeros((0, 4, 4), int), "no voxel"),
+            (itk.image_from_array(self.image), "image of ITK"),
             (np.full((4, 4, 4), 2**63, np.uint64), "Label 9223372036854775808 is above the limit"),
         )
         for image, reason in cases:
@@ -214,12 +215,17 @@ class MeshTest(unittest.TestCase):
         # It counts between two reports of the filter, where Python does nothing else.
         self.assertGreater(max(np.diff(ticks)), 3)
 
-    def test_an_error_in_progress_stops_it(self):
-        def stop(share, phase):
-            raise ValueError("enough")
+    def test_an_error_in_progress_stops_the_work(self):
+        steps = []
 
-        with self.assertRaises(RuntimeError):
-            quick(self.image, progress=stop)
+        def stop(share, phase):
+            steps.append(share)
+            if share > 0.35:
+                raise KeyError("enough")
+
+        with self.assertRaisesRegex(KeyError, "enough"):
+            tissuetessellation.mesh(self.image, progress=stop)
+        self.assertLess(steps[-1], 0.9)
 
     @unittest.skipUnless(has("vtkmodules"), "needs VTK")
     def test_vtk_has_all_arrays_and_reads_them_back(self):

@@ -10,6 +10,11 @@ _LARGEST_LABEL = np.iinfo(np.int64).max
 
 def check_labels(labels):
     """The label image as an array of integers with three axes. Raises ValueError."""
+    if hasattr(labels, "GetSpacing"):
+        raise ValueError(
+            "labels are an image of ITK, whose place would be lost: pass itk.array_from_image(image), with its spacing "
+            "and origin"
+        )
     array = np.asarray(labels)
     if array.dtype == bool:
         raise ValueError(

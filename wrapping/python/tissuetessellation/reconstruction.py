@@ -14,7 +14,8 @@ _OPTIONS = """    triangles_per_cell -- of the fitted walls, each counted once, 
     refinement -- times that the triangles of the star-shaped walls are split in four, 0 .. 3; default 1. At 0, fitted
         walls are the fitted stars, of few triangles.
     threads -- how many; default: as many as there are processors. The mesh is the same for any number.
-    progress -- called with the share done, 0 .. 1, and a few words for what is being done; to stop, raise an exception.
+    progress -- called with the share done, 0 .. 1, and a few words for what is being done; what it raises stops
+        the work and is passed on.
 
     The options of the C++ filter that are left out (None) are at its defaults. Other threads of Python run meanwhile.
     What the C++ filters refuse is a RuntimeError, what is refused here a ValueError, with their reasons.
@@ -59,19 +60,29 @@ def _reasons(label_of):
 
 
 def _run(source, progress, phase=None):
-    """Updates the filter; it tells its phase where none is given."""
+    """Updates the filter; it tells its phase where none is given. What progress() raises aborts it and is raised."""
     if progress is None:
         source.UpdateLargestPossibleRegion()
         return
+    raised = []
 
     def report():
-        progress(source.GetProgress(), phase or source.GetPhase())
+        try:
+            progress(source.GetProgress(), phase or source.GetPhase())
+        except BaseException as error:  # An interrupt, too, must not get into ITK.
+            raised.append(error)
+            source.AbortGenerateDataOn()
 
     tag = source.AddObserver(itk.ProgressEvent(), report)
     try:
         source.UpdateLargestPossibleRegion()
+    except RuntimeError:
+        if not raised:
+            raise
     finally:
         source.RemoveObserver(tag)
+    if raised:
+        raise raised[0]
 
 
 def _set_options(source, options):
