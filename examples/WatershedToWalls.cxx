@@ -8,6 +8,7 @@
 // and the labels become walls for VTK. (For an image of membranes, leave out the inversion.)
 //
 // usage: WatershedToWalls nuclei.mha walls.vtp [SIGMA LEVEL]
+// SIGMA of the smoothing, about half a nucleus' radius (1.5), and LEVEL, the depth of a minimum that is a cell's (5).
 #include "TissueTessellationVTKBridge.h"
 #include "itkImageFileReader.h"
 #include "itkInvertIntensityImageFilter.h"
@@ -45,6 +46,7 @@ Segment(const ImageType * nuclei, double sigma, double level)
 {
   const auto inverted = itk::InvertIntensityImageFilter<ImageType>::New();
   inverted->SetInput(Smooth(nuclei, sigma));
+  inverted->SetMaximum(0.0f); // The greatest float would leave nothing of the image.
   const auto watershed = itk::MorphologicalWatershedImageFilter<ImageType, LabelImageType>::New();
   watershed->SetInput(inverted->GetOutput());
   watershed->SetLevel(level);
@@ -76,7 +78,7 @@ main(int argc, char * argv[])
   {
     const auto nuclei = itk::ReadImage<ImageType>(argv[1]);
     const auto filter = itk::LabelImageToCellWallMeshFilter<LabelImageType>::New();
-    filter->SetInput(Segment(nuclei, argc > 3 ? std::atof(argv[3]) : 2.0, argc > 4 ? std::atof(argv[4]) : 5.0));
+    filter->SetInput(Segment(nuclei, argc > 3 ? std::atof(argv[3]) : 1.5, argc > 4 ? std::atof(argv[4]) : 5.0));
     filter->Update();
     const itk::CellWallMesh * const mesh = filter->GetOutput();
     std::cout << mesh->GetNumberOfCells() << " cells, " << mesh->GetNumberOfTriangles() << " triangles" << std::endl;
