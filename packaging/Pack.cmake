@@ -11,7 +11,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "libinsighttoolkit5-dev, libvtk9-dev, libcgal-dev, libtiff-dev, libexpat1-dev, xvfb, xauth")
+  "libinsighttoolkit5-dev, libvtk9-dev, libcgal-dev, libtiff-dev, libexpat1-dev, libegl-dev, xvfb, xauth")
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)

@@ -8,7 +8,7 @@
 #include "NucleiTessellation/NucleiTessellationOptions.h"
 #include "NucleiTessellation/PointTissueInput.h"
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/ReconstructionOutput.h"
+#include "Shared/Reconstruction/ReconstructionRun.h"
 
 int
 main(int argc, char ** argv)
@@ -16,22 +16,10 @@ main(int argc, char ** argv)
   using namespace tissue;
   const std::string program = "NucleiTessellation";
   return RunProgram(program, [&] {
-    const auto options = ParseCommandLine(argc, argv);
-    if (!options)
+    if (const auto options = ParseCommandLine(argc, argv))
     {
-      return;
+      RunReconstruction(
+        program, *options, [&options](ProgressBar & progress) { return ReadPointTissue(*options, progress); });
     }
-    RequireOutputs(options->outputs, options->InputFiles());
-    UseThreads(options->run.threads);
-    ProgressBar progress(options->run.GetProgressStyle());
-
-    TissueInput               input = ReadPointTissue(*options, progress);
-    const ReconstructedTissue tissue =
-      Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
-    const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
-    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
-    WriteOutputs(options->outputs, report, progress);
-    Say(report, options->outputs, options->run.isQuiet);
-    RequireNoFaults(report, options->run.isStrict);
   });
 }

@@ -130,6 +130,10 @@ CompleteImageOptions(NucleiTessellationOptions & options)
     image.frame = ToImageFrame(frame);
     frame.clear();
   }
+  if (!options.projection.signals.empty() && options.method.preset == "paper" && !hasMembranes)
+  {
+    throw std::runtime_error("--signal needs a label image: --preset paper makes walls of the points alone");
+  }
   if (image.AreGiven() && isPointFile && !hasMembranes && options.centers.box.empty())
   {
     throw std::runtime_error("--spacing and --channel are of an image: --box gives that of the points");
@@ -140,6 +144,7 @@ CompleteImageOptions(NucleiTessellationOptions & options)
   options.membrane.image.frame = ofMembranes.frame > 0 ? ofMembranes.frame : image.frame;
   options.membrane.image.frameOption = isPointFile ? "--membraneFrame" : "--frame";
   options.evaluation.image = image.ForFurther();
+  options.projection.image = image;
 }
 
 /** 3D Slicer has points as markups: options of tables, and of images in their place, make no sense there. */
@@ -172,6 +177,7 @@ ParseCommandLine(int argc, char ** argv)
                                              : ChoosePreset(found, Parameters(), Parameters::PaperPointsPreset());
   AddInputOptions(app, found.count(centersOf) > 0, options);
   AddOutputOptions(app, options.outputs);
+  AddProjectionOptions(app, options.projection);
   AddEvaluationOptions(app, options.evaluation);
   AddMethodOptions(app, options.method);
   AddRunOptions(app, options.run);
@@ -224,6 +230,7 @@ ToJson(const NucleiTessellationOptions & options)
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);
+  AddToJson(options.projection, json);
   AddToJson(options.method.parameters, json);
   return json;
 }

@@ -10,6 +10,7 @@
 #include "Shared/CommandLine/RunOptions.h"
 #include "Shared/Points/NucleiSearch.h"
 #include "Shared/Points/PointFileOptions.h"
+#include "Shared/Projection/ProjectionOptions.h"
 #include "Shared/Reconstruction/MembraneInput.h"
 #include "Shared/Reconstruction/MethodOptions.h"
 #include "Shared/Reconstruction/OutputPaths.h"
@@ -54,6 +55,7 @@ struct NucleiTessellationOptions
   MembraneOptions   membrane;
   OutputPaths       outputs;
   EvaluationOptions evaluation;
+  ProjectionOptions projection;
   MethodOptions     method;
   RunOptions        run;
 
@@ -61,7 +63,9 @@ struct NucleiTessellationOptions
   std::vector<std::string>
   InputFiles() const
   {
-    return { centers.Source(), membrane.file, evaluation.against, centers.box };
+    std::vector<std::string> files = projection.Files();
+    files.insert(files.end(), { centers.Source(), membrane.file, evaluation.against, centers.box });
+    return files;
   }
 };
 

@@ -231,11 +231,11 @@ FollowMembranes(const EstimatedTissue & estimate, const ScalarImage * membranes,
 
 /** The junctions of a tissue whose cells are numbered from 1 on in the order of the points, whose labels they get. */
 ExtractedJunctions
-ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & points,
-                      const ReconstructionParameters & parameters, ProgressBar & progress)
+ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & points, bool makesVolume,
+                      ProgressBar & progress)
 {
   JunctionOptions options;
-  options.makesVolume = parameters.fitToImage;
+  options.makesVolume = makesVolume;
   options.votes = tissue.votes;
   ExtractedJunctions extracted = ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress);
   extracted.exteriorLabel = points.exteriorLabel;
@@ -275,7 +275,8 @@ MakeTissue(const LabelledPoints & points, const NucleiTessellationOptions & opti
   const std::string & pixelType = hasMembranes ? membranes.description.pixelType : input.image.pixelType;
   input.image = DescribeImage(tissue.labels.GetPointer(), pixelType);
   input.image.unit = unit;
-  input.extracted = ExtractPointJunctions(tissue, points, options.method.parameters, progress);
+  const bool makesVolume = options.method.parameters.fitToImage || !options.projection.signals.empty();
+  input.extracted = ExtractPointJunctions(tissue, points, makesVolume, progress);
   input.seconds.read += membranes.readSeconds;
   input.seconds.segment += tissue.seconds;
   Append(membranes.warnings, input.warnings);

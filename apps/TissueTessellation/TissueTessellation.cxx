@@ -6,7 +6,7 @@
  *=========================================================================*/
 // From a segmented 3-D image of a tissue, or one of its membranes, to the triangular mesh of all its cell walls.
 #include "Shared/CommandLine/RunProgram.h"
-#include "Shared/Reconstruction/ReconstructionOutput.h"
+#include "Shared/Reconstruction/ReconstructionRun.h"
 #include "TissueTessellation/TissueTessellationOptions.h"
 
 namespace
@@ -17,8 +17,9 @@ TissueInput
 ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
 {
   const ReconstructionParameters & parameters = options.method.parameters;
-  const bool                       needsVolume = parameters.fitToImage || parameters.source == ComplexSource::Image;
-  const JunctionOptions            junctionOptions{ options.image.exterior, needsVolume, options.image.acceptsSpecks };
+  const bool                       needsVolume =
+    parameters.fitToImage || parameters.source == ComplexSource::Image || !options.projection.signals.empty();
+  const JunctionOptions junctionOptions{ options.image.exterior, needsVolume, options.image.acceptsSpecks };
   return options.membrane.file.empty()
            ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)
            : ReadMembranes(options.membrane, junctionOptions, progress);
@@ -30,22 +31,10 @@ main(int argc, char ** argv)
 {
   const std::string program = "TissueTessellation";
   return RunProgram(program, [&] {
-    const auto options = ParseCommandLine(argc, argv);
-    if (!options)
+    if (const auto options = ParseCommandLine(argc, argv))
     {
-      return;
+      RunReconstruction(
+        program, *options, [&options](ProgressBar & progress) { return ReadInput(*options, progress); });
     }
-    RequireOutputs(options->outputs, options->InputFiles());
-    UseThreads(options->run.threads);
-    ProgressBar progress(options->run.GetProgressStyle());
-
-    TissueInput               input = ReadInput(*options, progress);
-    const ReconstructedTissue tissue =
-      Reconstruct(input, std::move(input.extracted.volume), options->method.parameters, progress);
-    const auto evaluation = EvaluateStages(options->evaluation, input, tissue.mesh->GetReconstruction(), progress);
-    const ReconstructionReport report{ program, ToJson(*options), input, tissue, evaluation };
-    WriteOutputs(options->outputs, report, progress);
-    Say(report, options->outputs, options->run.isQuiet);
-    RequireNoFaults(report, options->run.isStrict);
   });
 }

@@ -101,6 +101,7 @@ ParseCommandLine(int argc, char ** argv)
   options.method = ChoosePreset(found, ReconstructionParameters(), ReconstructionParameters::PaperPreset());
   AddInputOptions(app, found, options);
   AddOutputOptions(app, options.outputs);
+  AddProjectionOptions(app, options.projection);
   AddImageOptions(app, options.image);
   AddEvaluationOptions(app, options.evaluation);
   AddMethodOptions(app, options.method);
@@ -119,6 +120,7 @@ ParseCommandLine(int argc, char ** argv)
   options.method.parameters.keepStages = !options.evaluation.against.empty();
   options.membrane.image = options.image.input;
   options.evaluation.image = options.image.input.ForFurther();
+  options.projection.image = options.image.input;
   RequireInRange(options.method.parameters);
   return options;
 }
@@ -136,6 +138,7 @@ ToJson(const TissueTessellationOptions & options)
   json["evaluateAgainst"] = options.evaluation.against;
   json["evaluateByLabel"] = options.evaluation.byLabel;
   AddToJson(options.membrane, json);
+  AddToJson(options.projection, json);
   AddToJson(options.method.parameters, json);
   return json;
 }

@@ -8,6 +8,7 @@
 #define TissueTessellationOptions_h
 
 #include "Shared/CommandLine/RunOptions.h"
+#include "Shared/Projection/ProjectionOptions.h"
 #include "Shared/Reconstruction/LabelImageInput.h"
 #include "Shared/Reconstruction/MembraneInput.h"
 #include "Shared/Reconstruction/MethodOptions.h"
@@ -25,6 +26,7 @@ struct TissueTessellationOptions
   MembraneOptions   membrane;
   OutputPaths       outputs;
   EvaluationOptions evaluation;
+  ProjectionOptions projection;
   MethodOptions     method;
   RunOptions        run;
 
@@ -32,7 +34,9 @@ struct TissueTessellationOptions
   std::vector<std::string>
   InputFiles() const
   {
-    return { image.file, membrane.file, evaluation.against };
+    std::vector<std::string> files = projection.Files();
+    files.insert(files.end(), { image.file, membrane.file, evaluation.against });
+    return files;
   }
 };
 

@@ -86,6 +86,10 @@ TEST_F(CellSegmentationTest, IsReadByVTKWithWhatSlicerLooksFor)
     EXPECT_EQ(color->GetNumberOfComponents(), 3);
     EXPECT_DOUBLE_EQ(color->GetComponent(0, 0), 1.0);
     EXPECT_DOUBLE_EQ(color->GetComponent(0, 1), 0.2 * (i + 1));
+    // The statistics, but for positions, which would be those of other axes.
+    ASSERT_NE(block->GetFieldData()->GetArray("Volume"), nullptr);
+    EXPECT_DOUBLE_EQ(block->GetFieldData()->GetArray("Volume")->GetTuple1(0), m_Check.cells[i + 1].volume);
+    EXPECT_EQ(block->GetFieldData()->GetArray("CenterX"), nullptr);
   }
 }
 

@@ -37,7 +37,7 @@ protected:
   Export(const std::string & name, const std::vector<Label> & labels = {}) const
   {
     const std::string path = this->PathOf("x");
-    ExportMesh(m_Mesh, m_Cells, labels, name, path);
+    ExportMesh(m_Mesh, m_Cells, labels, m_Data, name, path);
     return ReadBytes(path);
   }
 
@@ -55,8 +55,22 @@ protected:
 
   WallMesh          m_Mesh;
   std::vector<Cell> m_Cells;
+  ProjectedData     m_Data;
 };
 } // namespace
+
+TEST_F(MeshExport, CellComplexHasTheColumnsOfNumbers)
+{
+  m_Data.ofCells = { { "growth rate", { 0.0, 0.25, 0.5 }, {} }, { "fate", {}, { "", "a", "b" } } };
+  m_Data.ofWalls = { { "sMean", { 1.5, 2.5, 3.5 } } };
+  const std::string text = this->Export("a.ply");
+  EXPECT_NE(text.find("property int label\nproperty float growth_rate\nend_header\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("property int wall\nproperty float sMean\nelement edge"), std::string::npos) << text;
+  EXPECT_EQ(text.find("fate"), std::string::npos);
+  EXPECT_NE(text.find(" 7 0.25\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 9 0.5\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 1 2.5\n"), std::string::npos) << text;
+}
 
 TEST_F(MeshExport, CellComplexHasWallsEdgesAndVolumes)
 {
@@ -107,7 +121,7 @@ TEST_F(MeshExport, WavefrontHasAGroupACell)
 
 TEST_F(MeshExport, StlIsReadByVTK)
 {
-  ExportMesh(m_Mesh, m_Cells, { 7 }, "a.stl", this->PathOf("a.stl"));
+  ExportMesh(m_Mesh, m_Cells, { 7 }, m_Data, "a.stl", this->PathOf("a.stl"));
   const vtkNew<vtkSTLReader> reader;
   reader->SetFileName(this->PathOf("a.stl").c_str());
   reader->Update();
@@ -146,6 +160,7 @@ TEST_F(MeshExport, RefusesLabelsAndNamesThatThereAreNot)
   EXPECT_THROW(this->Export("a.x3d"), std::invalid_argument);
   for (const std::string & ending : MeshExportEndings())
   {
-    EXPECT_THROW(ExportMesh(m_Mesh, m_Cells, {}, "a" + ending, this->PathOf("no/x")), std::runtime_error) << ending;
+    EXPECT_THROW(ExportMesh(m_Mesh, m_Cells, {}, m_Data, "a" + ending, this->PathOf("no/x")), std::runtime_error)
+      << ending;
   }
 }

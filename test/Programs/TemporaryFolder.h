@@ -68,6 +68,12 @@ protected:
     return bytes.str();
   }
 
+  void
+  WriteLines(const std::string & name, const std::string & lines) const
+  {
+    std::ofstream(m_Folder / name, std::ios::binary) << lines;
+  }
+
   std::filesystem::path m_Folder;
 };
 

@@ -156,7 +156,9 @@ TEST_F(TissueTessellationAppErrors, DisksThatRunFull)
 
 TEST_F(TissueTessellationAppErrors, PicturesWithoutADisplayBeforeAnyWork)
 {
-  this->ExpectRefusal("none.mha walls.vtp --picture a.png", { "--picture: ", "xvfb-run -a" }, "unset DISPLAY &&");
+  this->ExpectRefusal("none.mha walls.vtp --picture a.png",
+                      { "--picture: ", "xvfb-run -a" },
+                      "unset DISPLAY && __EGL_VENDOR_LIBRARY_FILENAMES=/none");
 }
 
 TEST_F(TissueTessellationAppErrors, OptionsThatAreUnknownOrOutOfRange)

@@ -5,6 +5,7 @@
  *
  *=========================================================================*/
 #include "FourCubes.h"
+#include "Shared/Pictures/OffScreenWindow.h"
 #include "Shared/Pictures/PictureObstacle.h"
 #include "Shared/Pictures/WallMeshPicture.h"
 #include "TemporaryFolder.h"
@@ -14,8 +15,11 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 using WallMeshPictureTest = TemporaryFolderTest;
@@ -80,16 +84,74 @@ TEST_F(WallMeshPictureTest, WhatCannotBeDrawnIsRefused)
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+TEST_F(WallMeshPictureTest, ValuesHaveTheirColorsAndALegend)
+{
+  if (!tissue::FindPictureObstacle().empty())
+  {
+    GTEST_SKIP() << tissue::FindPictureObstacle();
+  }
+  const FourCubes                tissue;
+  tissue::WallMeshPictureOptions options;
+  options.values = tissue::PictureValues{ "rate", { 0.0, 0.25, 0.5, 0.75, std::nan("") }, {} };
+  options.width = 640;
+  options.height = 360;
+  const std::string path = PathOf("values.png");
+  tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, path, options);
+  const vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const auto countLike = [&reader](int red, int green, int blue, int firstRow, int lastRow) {
+    int count = 0;
+    for (int y = firstRow; y < lastRow; ++y)
+    {
+      for (int x = 0; x < 640; ++x)
+      {
+        const auto * const pixel = static_cast<unsigned char *>(reader->GetOutput()->GetScalarPointer(x, y, 0));
+        count += std::abs(pixel[0] - red) < 12 && std::abs(pixel[1] - green) < 12 && std::abs(pixel[2] - blue) < 12;
+      }
+    }
+    return count;
+  };
+  // The legend, from the dark end to the light one, and the grey of what is not known, below the cells.
+  EXPECT_GT(countLike(72, 20, 95, 0, 60), 20);
+  EXPECT_GT(countLike(33, 145, 140, 0, 60), 20);
+  EXPECT_GT(countLike(245, 230, 37, 0, 60), 20);
+  EXPECT_GT(countLike(178, 178, 178, 0, 60), 20);
+
+  options.values->numbers.pop_back();
+  EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, path, options), std::invalid_argument);
+}
+
 #ifdef __linux__
-TEST_F(WallMeshPictureTest, WithoutADisplayItSaysWhatToDo)
+TEST_F(WallMeshPictureTest, WithoutADisplayItIsDrawnAllTheSameOrSaysWhatToDo)
 {
   const char *      display = std::getenv("DISPLAY");
   const std::string before = display ? display : "";
   setenv("DISPLAY", ":4711", 1);
-  EXPECT_NE(tissue::FindPictureObstacle().find("':4711' (DISPLAY) cannot be opened"), std::string::npos);
-  EXPECT_NE(tissue::FindPictureObstacle().find("xvfb-run -a"), std::string::npos);
-  const FourCubes tissue;
-  EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, PathOf("none.png")), std::runtime_error);
+  EXPECT_NE(tissue::FindDisplayObstacle().find("':4711' (DISPLAY) cannot be opened"), std::string::npos);
+  EXPECT_NE(tissue::FindDisplayObstacle().find("xvfb-run -a"), std::string::npos);
+  const FourCubes   tissue;
+  const std::string path = PathOf("none.png");
+  if (tissue::FindSurfacelessObstacle().empty())
+  {
+    EXPECT_EQ(tissue::FindPictureObstacle(), "");
+    tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, path);
+    const vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    std::set<std::array<unsigned char, 3>> colors;
+    for (int x = 0; x < 1600; ++x)
+    {
+      const auto * const pixel = static_cast<unsigned char *>(reader->GetOutput()->GetScalarPointer(x, 450, 0));
+      colors.insert({ { pixel[0], pixel[1], pixel[2] } });
+    }
+    EXPECT_GT(colors.size(), 20u);
+  }
+  else
+  {
+    EXPECT_NE(tissue::FindPictureObstacle().find(tissue::FindSurfacelessObstacle()), std::string::npos);
+    EXPECT_THROW(tissue::WriteWallMeshPicture(tissue.mesh, tissue.cells, path), std::runtime_error);
+  }
   display ? setenv("DISPLAY", before.c_str(), 1) : unsetenv("DISPLAY");
 }
 #endif

@@ -9,6 +9,7 @@
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationVTK/ProjectedData.h"
 
 #include <string>
 
@@ -20,10 +21,11 @@ ToPlyLabel(Label label);
 
 /** \brief Writes the walls as a PLY of cellcomplex (OpenAlea), as text: the elements `vertex` (x, y, z), `face`
  * (vertex_index, and `wall`, the WallId), `edge` (source, target, face_index: the faces at it) and `volume`
- * (face_index: the faces of a cell, label). \throws std::runtime_error: a label of more than 32 bits, a file that
- * cannot be written. */
+ * (face_index: the faces of a cell, label). Faces and volumes have the columns of numbers of `data`, too, with `_` for
+ * what cannot be in a name. \throws std::runtime_error: a label of more than 32 bits, a file that cannot be written. */
 void
-WriteCellComplexPly(const WallMesh & mesh, const std::vector<Cell> & cells, const std::string & path);
+WriteCellComplexPly(const WallMesh & mesh, const std::vector<Cell> & cells, const ProjectedData & data,
+                    const std::string & path);
 } // namespace tissue
 
 #endif

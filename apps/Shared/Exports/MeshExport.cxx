@@ -19,21 +19,22 @@ namespace tissue
 namespace
 {
 using Writer = void (*)(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
-                        const std::string & path);
+                        const ProjectedData & data, const std::string & path);
 
 /** Writes the surfaces of the chosen cells. */
 template <void (*TWrite)(const std::vector<ExportedCell> &, const std::string &)>
 void
 WriteCells(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
-           const std::string & path)
+           const ProjectedData &, const std::string & path)
 {
   TWrite(CollectExportedCells(mesh, cells, labels), path);
 }
 
 void
-WriteWalls(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> &, const std::string & path)
+WriteWalls(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> &,
+           const ProjectedData & data, const std::string & path)
 {
-  WriteCellComplexPly(mesh, cells, path);
+  WriteCellComplexPly(mesh, cells, data, path);
 }
 
 /** By the ends of their names; of two that a name ends in, the longer one comes first. */
@@ -63,7 +64,7 @@ MeshExportEndings()
 
 void
 ExportMesh(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
-           const std::string & format, const std::string & path)
+           const ProjectedData & data, const std::string & format, const std::string & path)
 {
   const auto found = std::find_if(
     formats.begin(), formats.end(), [&format](const auto & known) { return EndsWith(format, known.first); });
@@ -71,6 +72,6 @@ ExportMesh(const WallMesh & mesh, const std::vector<Cell> & cells, const std::ve
   {
     throw std::invalid_argument("ExportMesh: unknown format of " + format);
   }
-  found->second(mesh, cells, labels, path);
+  found->second(mesh, cells, labels, data, path);
 }
 } // namespace tissue

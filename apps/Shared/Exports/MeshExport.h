@@ -9,6 +9,7 @@
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
+#include "TissueTessellationVTK/ProjectedData.h"
 
 #include <string>
 #include <vector>
@@ -30,12 +31,13 @@ std::vector<std::string>
 MeshExportEndings();
 
 /** Writes a mesh in the format of the name of `format`. \param path the file; its name may be another one.
- * \param labels the cells to write; all where there are none.
+ * \param labels the cells to write; all where there are none. \param data for `.ply`, which has numbers of walls and
+ * cells.
  * \throws std::runtime_error: a label that no cell has, a label beyond 32 bits in a `.ply`, a file that cannot be
  * written; std::invalid_argument: another ending. */
 void
 ExportMesh(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Label> & labels,
-           const std::string & format, const std::string & path);
+           const ProjectedData & data, const std::string & format, const std::string & path);
 } // namespace tissue
 
 #endif

@@ -87,7 +87,7 @@ RequireChannelAndFrame(const itk::ImageIOBase * io, const ImageOptions & options
 {
   const itk::StackImageIOBase * const stack = AsStack(io);
   const auto require = [&options](const char * name, unsigned int chosen, unsigned int number) {
-    if (!options.isOptional && chosen > number)
+    if ((!options.isOptional || options.requiresChoice) && chosen > number)
     {
       throw std::runtime_error("the file has " + std::to_string(number) + " " + name + (number == 1 ? "" : "s") +
                                ", there is no " + name + " " + std::to_string(chosen));

@@ -27,6 +27,8 @@ struct ImageOptions
   /** Whether all that holds only where the file needs it: a spacing where it tells none, a channel where it has
    * several. */
   bool isOptional = false;
+  /** Whether the channel and the frame must be there all the same. */
+  bool requiresChoice = false;
   /** The options that choose, for messages. */
   std::string channelOption = "--channel";
   std::string frameOption = "--frame";

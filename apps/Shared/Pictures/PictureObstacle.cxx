@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "Shared/Pictures/PictureObstacle.h"
 
+#include "Shared/Pictures/OffScreenWindow.h"
+
 #include <vtkRenderingOpenGLConfigure.h>
 
 // A source of its own: the macros of X11 go badly with other headers.
@@ -19,7 +21,7 @@
 namespace tissue
 {
 std::string
-FindPictureObstacle()
+FindDisplayObstacle()
 {
 #ifdef VTK_USE_X
   const char * const name = std::getenv("DISPLAY");
@@ -41,5 +43,13 @@ FindPictureObstacle()
   }
 #endif
   return "";
+}
+
+std::string
+FindPictureObstacle()
+{
+  const std::string ofDisplay = FindDisplayObstacle();
+  const std::string without = ofDisplay.empty() ? "" : FindSurfacelessObstacle();
+  return without.empty() ? "" : ofDisplay + " (it would need none, but " + without + ")";
 }
 } // namespace tissue

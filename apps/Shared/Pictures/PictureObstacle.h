@@ -11,8 +11,13 @@
 
 namespace tissue
 {
-/** Why WriteWallMeshPicture() cannot work here, and what to do about it; empty where it can. Costs nothing, so it is to
- * be asked before the work: without a display VTK ends the program where it renders. */
+/** Why VTK's own windows cannot be drawn in here, and what to do about it; empty where they can: without a display VTK
+ * ends the program where it renders. */
+std::string
+FindDisplayObstacle();
+
+/** Why WriteWallMeshPicture() cannot work here, neither on a display nor without; empty where it can. Takes little
+ * time, so it is to be asked before the work. */
 std::string
 FindPictureObstacle();
 } // namespace tissue

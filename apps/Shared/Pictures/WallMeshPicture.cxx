@@ -8,6 +8,8 @@
 
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/CellDrawing.h"
+#include "Shared/Pictures/OffScreenWindow.h"
+#include "Shared/Pictures/PictureLegend.h"
 #include "Shared/Pictures/PictureObstacle.h"
 #include "Shared/Pictures/PictureView.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
@@ -95,10 +97,10 @@ FindCellsWithTriangles(const WallMesh & mesh, VertexId numberOfVertices)
 
 /** Fills the drawings with the tissue cut open and with the tissue drawn apart; returns how to look at them. */
 PictureView
-DrawTissue(const WallMesh & mesh, const std::vector<Cell> & cells, CellDrawing & cut, CellDrawing & apart)
+DrawTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const std::vector<Color> & colors, CellDrawing & cut,
+           CellDrawing & apart)
 {
   const VertexId              numberOfVertices = static_cast<VertexId>(cells.size());
-  const std::vector<Color>    colors = ChooseCellColors(mesh, numberOfVertices);
   const std::vector<VertexId> shown = FindCellsWithTriangles(mesh, numberOfVertices);
   const Point                 center = FindCenter(cells, shown);
   const PictureView           view = ChooseView(mesh, cells, center);
@@ -208,9 +210,10 @@ AddAmbientOcclusion(vtkRenderer * renderer, double length)
   renderer->SetPass(occlusion);
 }
 
-/** A camera that looks at the origin; `height` is that of the picture, in the tissue's unit. */
+/** A camera that looks at the origin; `height` is that of the picture, in the tissue's unit, of which `left` is left
+ * free below. */
 void
-PlaceCamera(vtkRenderer * renderer, const PictureView & view, const PictureLayout & layout, double height)
+PlaceCamera(vtkRenderer * renderer, const PictureView & view, const PictureLayout & layout, double height, double left)
 {
   const double   depth = layout.size[2];
   const Vector & up = view.axes[1];
@@ -221,6 +224,7 @@ PlaceCamera(vtkRenderer * renderer, const PictureView & view, const PictureLayou
   camera->SetPosition(2.0 * depth * toViewer[0], 2.0 * depth * toViewer[1], 2.0 * depth * toViewer[2]);
   camera->SetViewUp(up[0], up[1], up[2]);
   camera->SetParallelScale(0.5 * height);
+  camera->SetWindowCenter(0.0, -left / height);
   camera->SetClippingRange(depth, 3.0 * depth);
 }
 
@@ -247,6 +251,10 @@ RequireDrawable(const WallMesh & mesh, const std::vector<Cell> & cells, const Wa
     throw std::runtime_error(obstacle);
   }
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
+  if (options.values && std::max(options.values->numbers.size(), options.values->texts.size()) != cells.size())
+  {
+    throw std::invalid_argument("The values are not those of the cells of the picture");
+  }
   if (mesh.triangles.empty())
   {
     throw std::runtime_error("There is nothing to draw: the wall mesh has no triangle");
@@ -267,9 +275,16 @@ WriteWallMeshPicture(const WallMesh & mesh, const std::vector<Cell> & cells, con
                      const WallMeshPictureOptions & options)
 {
   RequireDrawable(mesh, cells, options);
-  CellDrawing         cut(mesh, static_cast<VertexId>(cells.size()));
-  CellDrawing         apart(mesh, static_cast<VertexId>(cells.size()));
-  const PictureView   view = DrawTissue(mesh, cells, cut, apart);
+  const auto                numberOfVertices = static_cast<VertexId>(cells.size());
+  std::optional<ColorScale> scale;
+  if (options.values)
+  {
+    scale.emplace(*options.values);
+  }
+  CellDrawing       cut(mesh, numberOfVertices);
+  CellDrawing       apart(mesh, numberOfVertices);
+  const PictureView view =
+    DrawTissue(mesh, cells, scale ? scale->GetColors() : ChooseCellColors(mesh, numberOfVertices), cut, apart);
   const PictureLayout layout =
     PlaceSideBySide(view, FindBox(view, cut.GetSurfaces()), FindBox(view, apart.GetSurfaces()));
 
@@ -279,12 +294,17 @@ WriteWallMeshPicture(const WallMesh & mesh, const std::vector<Cell> & cells, con
   AddActors(renderer, apart, layout.rightPosition);
   AddAmbientOcclusion(renderer, layout.size[1]);
   const std::array<int, 2> size{ { options.width * supersampling, options.height * supersampling } };
-  const double pixelsPerUnit = (1.0 - 2.0 * margin) * std::min(size[0] / layout.size[0], size[1] / layout.size[1]);
-  PlaceCamera(renderer, view, layout, size[1] / pixelsPerUnit);
+  const double             legend = scale ? LegendHeight : 0.0;
+  const double             drawn = (1.0 - legend) * size[1];
+  const double pixelsPerUnit = (1.0 - 2.0 * margin) * std::min(size[0] / layout.size[0], drawn / layout.size[1]);
+  PlaceCamera(renderer, view, layout, size[1] / pixelsPerUnit, legend * size[1] / pixelsPerUnit);
   AddScaleBar(renderer, size, pixelsPerUnit, options.lengthUnit);
+  if (scale)
+  {
+    AddLegend(renderer, *scale, options.values->title + scale->GetNote(), size);
+  }
 
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
+  const auto window = MakeOffScreenWindow();
   window->SetMultiSamples(0);
   window->SetSize(size[0], size[1]);
   window->AddRenderer(renderer);

@@ -7,9 +7,11 @@
 #ifndef WallMeshPicture_h
 #define WallMeshPicture_h
 
+#include "Shared/Pictures/ColorScale.h"
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct WallMeshPictureOptions
   int height = 900;
   /** Name of the image's unit of length, UTF-8, for the scale bar. */
   std::string lengthUnit = "µm";
+  /** What the cells are coloured by, with a legend; otherwise each has a colour of its own. */
+  std::optional<PictureValues> values;
 };
 
 /** \brief Renders a tissue to a PNG file: cut open on the left, with its cells drawn apart on the right.
@@ -29,8 +33,8 @@ struct WallMeshPictureOptions
  * From the tissue on the left the cells are left out whose centres lie in the quarter that is turned to the viewer; on
  * the right each cell is moved away from the tissue's centre, its size unchanged. Both are at one scale, in parallel
  * projection, with one scale bar. Up is the axis of space that the tissue's rounded tip points to, so that a meristem
- * stands upright. No two neighbours have a similar colour, triple lines are drawn dark. The same input gives
- * the same bytes on the same machine.
+ * stands upright. Triple lines are drawn dark. Without values no two neighbours have a similar colour. The same input
+ * gives the same bytes on the same machine.
  *
  * \throws std::runtime_error where FindPictureObstacle() has something to say, where the mesh has no
  * triangle, where a size is out of its range, and where the file cannot be written; std::invalid_argument as

@@ -155,6 +155,23 @@ RankLabelName(const std::string & name)
 }
 
 std::optional<int>
+RankCellName(const std::string & name)
+{
+  static const std::regex ofCells(
+    "(?:cell|object|obj|nucleus|spot|region|segment|roi)s?[ _.-]?(?:id|index|idx|number|num|nr|no)?\\.?");
+  static const std::regex ids("id|ids|index|#");
+  static const std::regex names("names?");
+  const auto              rank = RankLabelName(name);
+  const std::string       text = name.size() <= longestName ? Normalize(name) : std::string();
+  return rank                              ? rank
+         : text == "labels"                ? std::make_optional(1)
+         : std::regex_match(text, ofCells) ? std::make_optional(2)
+         : std::regex_match(text, ids)     ? std::make_optional(3)
+         : std::regex_match(text, names)   ? std::make_optional(4)
+                                           : std::nullopt;
+}
+
+std::optional<int>
 RankFrameName(const std::string & name)
 {
   const std::string       of = "(?:(?:spot|cell|pos(?:ition)?)[ _])?";

@@ -51,6 +51,11 @@ ParseUnit(const std::string & text);
 std::optional<int>
 RankLabelName(const std::string & name);
 
+/** The same of a table of cells, where the ids of rows are those of cells, too: 2 for "cell_id", "CellID", "Cell" and
+ * alike, 3 for "id", 4 for "Name". */
+std::optional<int>
+RankCellName(const std::string & name);
+
 /** Whether it is the name of a column of time points or of images: 0 for "FRAME", "timepoint" and alike, 1 for times
  * ("t", "Time [s]"), 2 for numbers of images; nothing if not. */
 std::optional<int>

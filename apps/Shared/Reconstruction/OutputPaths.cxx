@@ -10,6 +10,7 @@
 #include "Shared/Exports/MeshExport.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Pictures/PictureObstacle.h"
+#include "Shared/Projection/CellColumnNames.h"
 #include "Shared/Simulation/SimulationModel.h"
 
 #include <algorithm>
@@ -99,7 +100,32 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
       "Which cells are neighbours: a node a cell with its statistics, an edge by the area of two cells' walls");
   add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
   add("--report", paths.report, { ".json" }, "Report of the run");
-  add("--picture", paths.picture, { ".png" }, "Picture of the tissue; needs an X display, such as xvfb-run gives");
+  add("--picture", paths.picture, { ".png" }, "Picture of the tissue, on a display or by EGL");
+  app
+    .add_option("--colorBy",
+                paths.colorBy,
+                "Column of the cells' statistics that the picture is coloured by: Layer, Volume, MeanCurvature, ...")
+    ->needs("--picture")
+    ->type_name("COLUMN")
+    ->group("Further outputs");
+}
+
+void
+RequireColumn(const OutputPaths & paths, const std::vector<std::string> & projected)
+{
+  std::vector<std::string> names = CellColumnNames();
+  names.emplace_back("Name");
+  names.insert(names.end(), projected.begin(), projected.end());
+  if (paths.colorBy.empty() || std::find(names.begin(), names.end(), paths.colorBy) != names.end())
+  {
+    return;
+  }
+  std::string list;
+  for (const std::string & name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  throw std::runtime_error("--colorBy: the cells have no column '" + paths.colorBy + "'; there are " + list);
 }
 
 bool

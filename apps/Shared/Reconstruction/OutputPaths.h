@@ -29,6 +29,8 @@ struct OutputPaths
   std::string junctions;
   std::string report;
   std::string picture;
+  /** The column of the cells' statistics that the picture is coloured by; empty: none. */
+  std::string colorBy;
   /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
   std::vector<std::string> simulations;
   /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */
@@ -62,6 +64,11 @@ IsSegmentation(const std::string & path);
  * \param inputs the files that are read, some of which may be empty. */
 void
 RequireOutputs(const OutputPaths & paths, const std::vector<std::string> & inputs);
+
+/** Throws std::runtime_error that lists the columns where that of --colorBy is none of them. \param projected further
+ * columns. */
+void
+RequireColumn(const OutputPaths & paths, const std::vector<std::string> & projected);
 } // namespace tissue
 
 #endif

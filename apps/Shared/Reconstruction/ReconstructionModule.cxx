@@ -45,6 +45,7 @@ MakeReconstructionModule(const std::string & title, const std::map<std::string, 
     module.uses.emplace(name, SlicerUse::LeftOut);
   }
   module.uses.emplace("--evaluateAgainst", SlicerUse::LabelImage);
+  module.uses.emplace("--signal", SlicerUse::Image);
   for (const ModuleResult & result : GetModuleResults())
   {
     module.results.push_back(result.description);

@@ -13,6 +13,7 @@
 #include "Shared/Files/VTKFiles.h"
 #include "Shared/Pictures/WallMeshPicture.h"
 #include "Shared/Reconstruction/CellSegmentation.h"
+#include "Shared/Reconstruction/PictureColumn.h"
 #include "Shared/Reconstruction/ReconstructionModule.h"
 #include "Shared/Simulation/SimulationModel.h"
 #include "TissueTessellationVTKBridge.h"
@@ -95,13 +96,14 @@ AddCells(const std::string & path, const ReconstructionReport & report, OutputFi
   const WallMesh &          walls = report.GetReconstruction().walls;
   const std::vector<Cell> & cells = report.GetCells();
   const auto                grid = MakeCellGrid(walls, cells, report.tissue.check, report.tissue.statistics);
+  // Names are text, which meshio does not read of grids.
+  AddCellColumns(grid->GetCellData(), cells, report.projected, TextColumns::LeftOut);
   if (IsSegmentation(path))
   {
     const auto segmentation = MakeCellSegmentation(grid, ColorByLabel(walls, cells), report.input.names);
     files.AddWithPieces(path, [&](const std::string & temporary) { WriteXML(segmentation, temporary); });
     return;
   }
-  // Names are text, which meshio does not read of grids.
   files.Add(path, [&](const std::string & temporary) { WriteXML(grid, temporary); });
 }
 } // namespace
@@ -122,7 +124,11 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
     }
   };
   progress.Begin("Writing");
-  add(paths.walls, [&](const std::string & path) { WriteXML(MakeWallPolyData(walls, cells, statistics), path); });
+  add(paths.walls, [&](const std::string & path) {
+    const auto triangles = MakeWallPolyData(walls, cells, statistics);
+    AddWallColumns(triangles->GetCellData(), cells, report.projected);
+    WriteXML(triangles, path);
+  });
   add(paths.complex,
       [&](const std::string & path) { WriteXML(MakeComplexGrid(reconstruction.tetrahedra, cells), path); });
   if (!paths.cells.empty())
@@ -132,26 +138,41 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.cellSurfaces, [&](const std::string & path) {
     const auto surfaces = MakeCellSurfaces(walls, cells, check, statistics);
     AddNames(surfaces->GetCellData(), report.input.names);
+    AddCellColumns(surfaces->GetCellData(), cells, report.projected);
     WriteXML(surfaces, path);
   });
   AddSimulations(paths.simulations, report, files);
   for (const std::string & name : paths.exports)
   {
-    files.Add(name, [&](const std::string & path) { ExportMesh(walls, cells, paths.exportedCells, name, path); });
+    files.Add(name, [&](const std::string & path) {
+      ExportMesh(walls, cells, paths.exportedCells, report.projected, name, path);
+    });
   }
   const auto makeCellTable = [&] {
     const auto table = MakeCellTable(walls, cells, check, statistics);
     AddNames(table->GetRowData(), report.input.names);
+    AddCellColumns(table->GetRowData(), cells, report.projected);
     return table;
   };
   add(paths.statistics, [&](const std::string & path) { WriteCSV(makeCellTable(), path); });
-  add(paths.wallStatistics, [&](const std::string & path) { WriteCSV(MakeWallTable(walls, cells, statistics), path); });
+  add(paths.wallStatistics, [&](const std::string & path) {
+    const auto table = MakeWallTable(walls, cells, statistics);
+    AddWallColumns(table->GetRowData(), cells, report.projected);
+    WriteCSV(table, path);
+  });
   add(paths.graph, [&](const std::string & path) {
-    WriteGraphML(makeCellTable(), MakeNeighborTable(walls, cells, statistics), path);
+    const auto neighbors = MakeNeighborTable(walls, cells, statistics);
+    AddNeighborColumns(neighbors->GetRowData(), walls, cells, statistics.walls, report.projected);
+    WriteGraphML(makeCellTable(), neighbors, path);
   });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
-  add(paths.picture, [&](const std::string & path) { WriteWallMeshPicture(walls, cells, path); });
+  add(paths.picture, [&](const std::string & path) {
+    WallMeshPictureOptions options;
+    options.lengthUnit = report.input.image.unit == "millimetres" ? "mm" : options.lengthUnit;
+    options.values = MakePictureValues(makeCellTable(), paths.colorBy, cells, options.lengthUnit);
+    WriteWallMeshPicture(walls, cells, path, options);
+  });
   add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
   add(paths.report, [&](const std::string & path) { WriteJson(ToJson(report), path); });
   files.Commit();

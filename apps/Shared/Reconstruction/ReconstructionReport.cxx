@@ -289,6 +289,7 @@ ToJson(const ReconstructionReport & report)
   json["cycles"] = CyclesToJson(r.cycles);
   json["energy"] = r.energy;
   json["mesh"] = MeshToJson(report);
+  json.update(report.projection.GetReport());
   json["faults"] = CollectFaults(report);
   json["warnings"] = CollectWarnings(report);
   json["remarks"] = RemarksToJson(report);
@@ -304,6 +305,7 @@ CollectWarnings(const ReconstructionReport & report)
   {
     Append(report.evaluation->warnings, warnings);
   }
+  Append(report.projection.GetWarnings(), warnings);
   Append(CollectFaults(report), warnings);
   return warnings;
 }

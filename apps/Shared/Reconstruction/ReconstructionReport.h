@@ -7,6 +7,7 @@
 #ifndef ReconstructionReport_h
 #define ReconstructionReport_h
 
+#include "Shared/Projection/Projection.h"
 #include "Shared/Reconstruction/OutputPaths.h"
 #include "Shared/Reconstruction/ReconstructedTissue.h"
 #include "Shared/Reconstruction/StageEvaluation.h"
@@ -27,6 +28,8 @@ struct ReconstructionReport
   const TissueInput &                    input;
   const ReconstructedTissue &            tissue;
   const std::optional<StageEvaluation> & evaluation;
+  const Projection &                     projection;
+  const ProjectedData &                  projected;
 
   const TissueReconstruction &
   GetReconstruction() const

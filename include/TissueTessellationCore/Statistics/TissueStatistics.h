@@ -8,9 +8,11 @@
 #define TissueTessellationCore_TissueStatistics_h
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -19,6 +21,8 @@
 
 namespace tissue
 {
+struct LabelVolume;
+
 /** What a statistic is that cannot be measured. */
 constexpr double UnknownStatistic = std::numeric_limits<double>::quiet_NaN();
 
@@ -174,6 +178,38 @@ MakeCellColumns(const WallMesh & mesh, const std::vector<Cell> & cells, const Ce
 /** The same of the walls: `WallId`, `Label0` and `Label1` of the two cells, and WallStatistics. Rows are walls. */
 std::vector<StatisticColumn>
 MakeWallColumns(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics);
+
+/** \brief What an image of intensities has in a cell. Voxels whose value is not finite are not known, and left out. */
+struct CellSignal
+{
+  /** Of the cell's voxels that are known. */
+  double mean = UnknownStatistic;
+  /** The sum of their values, times the volume of a voxel. */
+  double integral = UnknownStatistic;
+  /** Of those of them whose centres are at most at the distance asked for from the cell's walls. */
+  double meanNearWalls = UnknownStatistic;
+  /** Of the voxels that are known, in cubed physical units. */
+  double knownVolume = 0.0;
+};
+
+/** \brief Measures an image of intensities in the cells, by vertex; that of the exterior is empty.
+ *
+ * \param labels say which cell the centre of a voxel is in; the image may have another grid than theirs.
+ * \param grid of the image, whose steps must span a volume. \param values of its voxels, the first axis fastest.
+ * \param mesh has the walls of the cells. \param wallDistance at least 0.
+ * The result does not depend on `execution`.
+ * \throws std::invalid_argument for a grid without volume, a negative distance, or as RequireConsistentIndices does. */
+std::vector<CellSignal>
+MeasureSignal(const LabelVolume & labels, const ImageGrid & grid, const float * values, const WallMesh & mesh,
+              VertexId numberOfVertices, double wallDistance, const Execution & execution = Execution());
+
+/** \brief The mean of a field of values over each wall, by area; UnknownStatistic where none of it is known.
+ *
+ * Each triangle is cut into equal ones, of edges no longer than `step` or than a 32nd of its own, and the field is
+ * taken at their centres. \param valueAt is called from any thread; what is not finite is left out. */
+std::vector<double>
+MeasureOnWalls(const WallMesh & mesh, double step, const std::function<double(const Point &)> & valueAt,
+               const Execution & execution = Execution());
 } // namespace tissue
 
 #endif
