@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/PictureColumn.h"
 
+#include "Shared/Files/ColumnUnit.h"
 #include "Shared/Files/TableColumns.h"
 
 #include <vtkDataArray.h>
