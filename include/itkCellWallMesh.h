@@ -16,6 +16,7 @@
 
 namespace tissue
 {
+struct AdjacencyOverlap;
 struct JunctionSet;
 struct TissueReconstruction;
 struct WallMesh;
@@ -39,7 +40,7 @@ namespace itk
  *     triangles = itk.array_from_vector_container(mesh.GetTriangles()).reshape(-1, 3)
  *     labels = itk.array_from_vector_container(mesh.GetTriangleLabels()).reshape(-1, 2)
  *
- * \sa LabelImageToCellWallMeshFilter JunctionsToCellWallMeshFilter
+ * \sa LabelImageToCellWallMeshFilter JunctionsToCellWallMeshFilter CellWallMeshStatisticsCalculator
  * \ingroup TissueTessellation
  */
 class TissueTessellation_EXPORT CellWallMesh : public DataObject
@@ -83,6 +84,20 @@ public:
   LabelsContainer::Pointer
   GetTriangleLabels() const;
 
+  /** The wall of every triangle, from 0 on; the triangles of a wall follow each other. */
+  IndicesContainer::Pointer
+  GetTriangleWalls() const;
+
+  /** How many cells, the exterior counted, meet at every point: 2 within a wall, 3 on the line of three, 4 at a corner.
+   */
+  IndicesContainer::Pointer
+  GetNumbersOfCellsAtPoints() const;
+
+  /** The label that stands for the exterior: that of the image, or, if it has none, 0 or a negative one that no cell
+   * has. \throws ExceptionObject where the mesh is empty. */
+  OffsetValueType
+  GetExteriorLabel() const;
+
   /** The Jaccard indices of the adjacencies of two and of four cells in the optimized complex and in the image (paper,
    * section 4.1), 0 .. 1. */
   double
@@ -90,6 +105,20 @@ public:
 
   double
   GetAdjacency4() const;
+
+  /** Adjacency4 of those groups of four alone whose six pairs are neighbours in the image. */
+  double
+  GetAdjacency4OfNeighbors() const;
+
+  /** Pairs of neighbours in the complex but not in the image, and the other way round. */
+  SizeValueType
+  GetNumberOfFalsePairs() const;
+  SizeValueType
+  GetNumberOfMissingPairs() const;
+
+  /** Pairs of triangles that cross, of walls that are fitted to an image: it should be 0. */
+  SizeValueType
+  GetNumberOfCrossings() const;
 
 #ifndef ITK_WRAPPING_PARSER
   /** The reconstruction with all that is known of it, its mesh, and the junctions it was made from, for C++.
@@ -124,6 +153,9 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
+  const tissue::AdjacencyOverlap &
+  GetOverlap() const;
+
   std::shared_ptr<const tissue::JunctionSet>          m_JunctionSet;
   std::shared_ptr<const tissue::TissueReconstruction> m_Reconstruction;
 };

@@ -9,6 +9,7 @@
 
 #include "itkCellWallMeshSource.h"
 #include "itkExteriorLabelSettings.h"
+#include "itkTissueVotes.h"
 
 namespace itk
 {
@@ -45,6 +46,11 @@ public:
 
   const LabelImageType *
   GetInput() const;
+
+  /** The votes on which cells meet that PointSetToTissueLabelImageFilter makes with the image. Default: none, which
+   * takes the image at its word. */
+  itkSetInputMacro(Votes, TissueVotes);
+  itkGetInputMacro(Votes, TissueVotes);
 
   /** ExteriorLabel, AutomaticExteriorLabel, ZeroIsCell, DroppedLabels, DropSuspects: see itkExteriorLabelSettings.h. */
   itkExteriorLabelMacro();

@@ -20,6 +20,7 @@ template <typename TLabelImage>
 LabelImageToCellWallMeshFilter<TLabelImage>::LabelImageToCellWallMeshFilter()
 {
   this->SetNumberOfRequiredInputs(1);
+  this->AddOptionalInputName("Votes", 1);
 }
 
 template <typename TLabelImage>
@@ -46,6 +47,7 @@ LabelImageToCellWallMeshFilter<TLabelImage>::GenerateData()
   this->EnterPhase("Finding junctions");
   const auto extraction = LabelJunctionExtractionFilter<LabelImageType>::New();
   extraction->SetInput(this->GetInput());
+  extraction->SetVotes(this->GetVotes());
   extraction->SetExterior(m_Exterior);
   extraction->GenerateLabelVolumeOn();
   extraction->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());

@@ -11,10 +11,12 @@
 #include "itkProcessObject.h"
 #include "itkTissueJunctions.h"
 #include "itkTissueLabelVolume.h"
+#include "itkTissueVotes.h"
 
 #include <array>
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace tissue
@@ -45,8 +47,11 @@ namespace itk
  * the blocks of four and more labels; the label volume takes 4 bytes a voxel. The outputs are the same for any number
  * of threads.
  *
- * Errors (ExceptionObject): an exterior label set, or a label to be dropped, that the image does not have; no cell; a
- * label above the range of 64 bits signed.
+ * Optional second input: the votes on which cells of an estimated tissue meet (SetVotes()), which become those of the
+ * output.
+ *
+ * Errors (ExceptionObject): an exterior label set, or a label to be dropped, that the image does not have; a vote on a
+ * cell that it does not have; no cell; a label above the range of 64 bits signed.
  *
  * G. Cerutti, S. Ribes, C. Galvan-Ampudia, T. Vernoux, C. Godin: 3-D tessellation of plant tissue. A dual optimization
  * approach to cell-level meristem reconstruction from microscopy images. 3DV 2015.
@@ -79,6 +84,10 @@ public:
   SetInput(const LabelImageType * image);
   const LabelImageType *
   GetInput() const;
+
+  /** The votes that PointSetToTissueLabelImageFilter makes with the image. Default: none. */
+  itkSetInputMacro(Votes, TissueVotes);
+  itkGetInputMacro(Votes, TissueVotes);
 
   OutputType *
   GetOutput();
@@ -172,6 +181,14 @@ private:
 
   tissue::ImageGrid
   DescribeGrid() const;
+
+  /** The vertices of the cells by their labels; the exterior is not among them. */
+  static std::unordered_map<tissue::Label, tissue::VertexId>
+  NumberLabels(const tissue::JunctionSet & junctions);
+
+  /** The votes by vertices of the junctions. */
+  std::vector<tissue::JunctionVote>
+  NumberVotes(const tissue::JunctionSet & junctions) const;
 
   /** Each voxel by its vertex in the junctions. A label that is no cell's is the exterior's. */
   std::shared_ptr<const tissue::LabelVolume>

@@ -26,7 +26,6 @@
 #include <limits>
 #include <mutex>
 #include <type_traits>
-#include <unordered_map>
 
 namespace itk
 {
@@ -36,6 +35,7 @@ LabelJunctionExtractionFilter<TLabelImage>::LabelJunctionExtractionFilter()
   static_assert(LabelImageType::ImageDimension == 3, "A tissue is an image in three dimensions.");
   static_assert(std::is_integral<LabelPixelType>::value, "Labels are integers.");
   this->SetNumberOfRequiredInputs(1);
+  this->AddOptionalInputName("Votes", 1);
   this->SetNumberOfRequiredOutputs(1);
   this->SetNthOutput(0, this->MakeOutput(0));
   this->ProcessObject::SetOutput("LabelVolume", this->MakeOutput("LabelVolume"));
@@ -186,6 +186,7 @@ LabelJunctionExtractionFilter<TLabelImage>::GenerateData()
   {
     this->GetLabelVolume()->SetLabelVolume(this->MakeLabelVolume(junctions));
   }
+  junctions.votes = this->NumberVotes(junctions);
   this->TransformToPhysicalSpace(junctions);
   this->GetOutput()->SetJunctionSet(std::move(junctions));
   this->UpdateProgress(1.0f);
@@ -384,6 +385,45 @@ LabelJunctionExtractionFilter<TLabelImage>::DescribeGrid() const
 }
 
 template <typename TLabelImage>
+std::unordered_map<tissue::Label, tissue::VertexId>
+LabelJunctionExtractionFilter<TLabelImage>::NumberLabels(const tissue::JunctionSet & junctions)
+{
+  std::unordered_map<tissue::Label, tissue::VertexId> vertexOf;
+  for (std::size_t v = 1; v < junctions.cells.size(); ++v)
+  {
+    vertexOf[junctions.cells[v].label] = static_cast<tissue::VertexId>(v);
+  }
+  return vertexOf;
+}
+
+template <typename TLabelImage>
+std::vector<tissue::JunctionVote>
+LabelJunctionExtractionFilter<TLabelImage>::NumberVotes(const tissue::JunctionSet & junctions) const
+{
+  if (this->GetVotes() == nullptr)
+  {
+    return {};
+  }
+  const auto vertexOf = NumberLabels(junctions);
+  auto       votes = this->GetVotes()->GetVotes();
+  for (tissue::JunctionVote & vote : votes)
+  {
+    // The vertices ascend with the labels, so a quadruple stays sorted.
+    for (tissue::VertexId & cell : vote.cells)
+    {
+      const auto found = vertexOf.find(cell);
+      if (cell != tissue::ExteriorVertex && found == vertexOf.end())
+      {
+        itkExceptionMacro(<< "A vote is on label " << cell << ", which is no cell of the image: it has "
+                          << vertexOf.size() << " cells");
+      }
+      cell = cell == tissue::ExteriorVertex ? cell : found->second;
+    }
+  }
+  return votes;
+}
+
+template <typename TLabelImage>
 std::shared_ptr<const tissue::LabelVolume>
 LabelJunctionExtractionFilter<TLabelImage>::MakeLabelVolume(const tissue::JunctionSet & junctions) const
 {
@@ -400,11 +440,7 @@ void
 LabelJunctionExtractionFilter<TLabelImage>::NumberVoxels(const tissue::JunctionSet & junctions,
                                                          tissue::LabelVolume &       volume) const
 {
-  std::unordered_map<tissue::Label, tissue::VertexId> vertexOf;
-  for (std::size_t v = 1; v < junctions.cells.size(); ++v)
-  {
-    vertexOf[junctions.cells[v].label] = static_cast<tissue::VertexId>(v);
-  }
+  const auto        vertexOf = NumberLabels(junctions);
   const std::size_t numberOfPixels = this->GetInput()->GetLargestPossibleRegion().GetNumberOfPixels();
   volume.vertices = tissue::VoxelVertices(
     numberOfPixels, tissue::ExteriorVertex, static_cast<tissue::VertexId>(junctions.cells.size()));

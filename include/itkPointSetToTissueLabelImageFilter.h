@@ -7,12 +7,12 @@
 #ifndef itkPointSetToTissueLabelImageFilter_h
 #define itkPointSetToTissueLabelImageFilter_h
 
-#include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Points/TissueGrid.h"
 #include "itkImageBase.h"
 #include "itkImageSource.h"
 #include "itkPointSet.h"
 #include "itkPointTissueEnums.h"
+#include "itkTissueVotes.h"
 
 #include <limits>
 
@@ -23,7 +23,8 @@ namespace itk
  *
  * Input: a point set of at least four cell centres in physical space, such as those of nuclei. Output: a 3-D label
  * image, for the filters that take segmented images. Its label is i + 1 for the cell of the i-th point in the order of
- * the container, and 0 for the exterior; every point has a cell.
+ * the container, and 0 for the exterior; every point has a cell. Second output: the votes on which cells meet
+ * (GetVotes()), for the filters that make walls of the image; there are none for a layer of cells.
  *
  * Where the points lie in one layer, flat or curved, the tissue is that layer, as thick as its cells are wide, and what
  * a shell encloses is exterior; SetLayer() decides where the points leave it open. Otherwise
@@ -88,15 +89,15 @@ public:
   itkSetEnumMacro(Layer, LayerEnum);
   itkGetEnumMacro(Layer, LayerEnum);
 
-#ifndef ITK_WRAPPING_PARSER
-  /** The votes on which cells meet, by vertices that are labels, for C++; valid after the update, and none for a layer.
-   * The JunctionSet of the output takes them, so that its adjacencies are optimized by them. */
-  const std::vector<tissue::JunctionVote> &
-  GetVotes() const
-  {
-    return m_Votes;
-  }
-#endif
+  /** The second output, by name ("Votes"), as it is beside the image that the filter is for. */
+  TissueVotes *
+  GetVotes();
+  const TissueVotes *
+  GetVotes() const;
+
+  using Superclass::MakeOutput;
+  ProcessObject::DataObjectPointer
+  MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
 
 protected:
   PointSetToTissueLabelImageFilter();
@@ -124,10 +125,9 @@ private:
   void
   RefusePointsOutside(const std::vector<tissue::Point> & points, const tissue::Box & box) const;
 
-  tissue::TissueGrid                m_Grid;
-  std::vector<tissue::JunctionVote> m_Votes;
-  double                            m_VoxelsPerCell{ 4000.0 };
-  LayerEnum                         m_Layer{ LayerEnum::Automatic };
+  tissue::TissueGrid m_Grid;
+  double             m_VoxelsPerCell{ 4000.0 };
+  LayerEnum          m_Layer{ LayerEnum::Automatic };
 };
 } // namespace itk
 

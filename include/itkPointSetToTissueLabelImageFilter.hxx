@@ -24,6 +24,33 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::PointSetToTissueLabelI
 {
   this->SetNumberOfRequiredInputs(1);
   this->AddOptionalInputName("ReferenceImage", 1);
+  this->ProcessObject::SetOutput("Votes", this->MakeOutput("Votes"));
+}
+
+template <typename TPointSet, typename TLabelImage>
+ProcessObject::DataObjectPointer
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::MakeOutput(
+  const ProcessObject::DataObjectIdentifierType & name)
+{
+  if (name == "Votes")
+  {
+    return TissueVotes::New().GetPointer();
+  }
+  return Superclass::MakeOutput(name);
+}
+
+template <typename TPointSet, typename TLabelImage>
+TissueVotes *
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GetVotes()
+{
+  return itkDynamicCastInDebugMode<TissueVotes *>(this->ProcessObject::GetOutput("Votes"));
+}
+
+template <typename TPointSet, typename TLabelImage>
+const TissueVotes *
+PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GetVotes() const
+{
+  return itkDynamicCastInDebugMode<const TissueVotes *>(this->ProcessObject::GetOutput("Votes"));
 }
 
 template <typename TPointSet, typename TLabelImage>
@@ -169,7 +196,7 @@ PointSetToTissueLabelImageFilter<TPointSet, TLabelImage>::GenerateData()
   auto       tissue = RunCore(this, [this, layering] {
     return tissue::EstimateTissue(this->MakePoints(), m_Grid, layering, MakeExecution(this));
   });
-  m_Votes = std::move(tissue.votes);
+  this->GetVotes()->SetVotes(std::move(tissue.votes));
   std::transform(tissue.labels.begin(),
                  tissue.labels.end(),
                  this->GetOutput()->GetBufferPointer(),

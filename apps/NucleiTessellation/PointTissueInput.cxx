@@ -188,9 +188,9 @@ ReadCells(const CenterOptions & options, ProgressBar & progress)
 /** The label image of a tissue, and how sure it is which of its cells meet. */
 struct EstimatedTissue
 {
-  TissueLabelImage::Pointer labels;
-  std::vector<JunctionVote> votes;
-  double                    seconds = 0.0;
+  TissueLabelImage::Pointer      labels;
+  itk::TissueVotes::ConstPointer votes;
+  double                         seconds = 0.0;
 };
 
 /** \param box null: none is known. */
@@ -226,7 +226,7 @@ FollowMembranes(const EstimatedTissue & estimate, const ScalarImage * membranes,
 {
   const auto segmentation =
     WithFileName(options.file, [&] { return SegmentMembranes(membranes, estimate.labels, options, progress); });
-  return { segmentation.labels, {}, estimate.seconds + segmentation.seconds };
+  return { segmentation.labels, nullptr, estimate.seconds + segmentation.seconds };
 }
 
 /** The junctions of a tissue whose cells are numbered from 1 on in the order of the points, whose labels they get. */
@@ -236,6 +236,7 @@ ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & poi
 {
   JunctionOptions options;
   options.makesVolume = makesVolume;
+  options.votes = tissue.votes;
   ExtractedJunctions extracted = ExtractTissueJunctions(tissue.labels.GetPointer(), options, progress);
   extracted.exteriorLabel = points.exteriorLabel;
   JunctionSet junctions = extracted.junctions->GetJunctionSet();
@@ -244,7 +245,6 @@ ExtractPointJunctions(const EstimatedTissue & tissue, const LabelledPoints & poi
     junctions.cells[v].label = points.labels[static_cast<std::size_t>(junctions.cells[v].label - 1)];
   }
   junctions.cells[ExteriorVertex].label = points.exteriorLabel;
-  junctions.votes = tissue.votes;
   extracted.junctions->SetJunctionSet(std::move(junctions));
   return extracted;
 }

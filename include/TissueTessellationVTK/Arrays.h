@@ -17,11 +17,15 @@
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTypeFloat64Array.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
+#include <vtkTypeUInt8Array.h>
 
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace tissue
@@ -56,23 +60,57 @@ AddColumn(vtkFieldData * attributes, const char * name, const std::vector<TNumbe
   attributes->AddArray(column);
 }
 
-/** The same with a vector for each; its components are named X, Y and Z. */
-template <typename TNumber, typename TVectorOf>
-void
-AddVectorColumn(vtkFieldData * attributes, const char * name, const std::vector<TNumber> & numbers,
-                const TVectorOf & vectorOf)
+/** The array that holds numbers of a type. */
+template <typename TNumber>
+struct ArrayOf;
+template <>
+struct ArrayOf<std::uint8_t>
 {
-  const auto column = MakeArray<vtkTypeFloat64Array>(name, 3, static_cast<vtkIdType>(numbers.size()));
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const char * const names[] = { "X", "Y", "Z" };
-    column->SetComponentName(axis, names[axis]);
-    for (std::size_t row = 0; row < numbers.size(); ++row)
-    {
-      column->SetTypedComponent(static_cast<vtkIdType>(row), axis, vectorOf(numbers[row])[axis]);
-    }
-  }
-  attributes->AddArray(column);
+  using Type = vtkTypeUInt8Array;
+};
+template <>
+struct ArrayOf<std::int32_t>
+{
+  using Type = vtkTypeInt32Array;
+};
+template <>
+struct ArrayOf<std::int64_t>
+{
+  using Type = vtkTypeInt64Array;
+};
+template <>
+struct ArrayOf<double>
+{
+  using Type = vtkTypeFloat64Array;
+};
+
+/** Adds a column as an array with those of its rows that are given, in their order. The components of vectors are named
+ * X, Y and Z. */
+inline void
+AddColumn(vtkFieldData * attributes, const StatisticColumn & column, const std::vector<std::int32_t> & rows)
+{
+  const int components = column.numberOfComponents;
+  std::visit(
+    [&](const auto & values) {
+      using Number = typename std::decay_t<decltype(values)>::value_type;
+      const auto array =
+        MakeArray<typename ArrayOf<Number>::Type>(column.name.c_str(), components, static_cast<vtkIdType>(rows.size()));
+      for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const auto first = static_cast<std::size_t>(components) * static_cast<std::size_t>(rows[i]);
+        for (int c = 0; c < components; ++c)
+        {
+          array->SetTypedComponent(static_cast<vtkIdType>(i), c, values[first + static_cast<std::size_t>(c)]);
+        }
+      }
+      for (int axis = 0; components == 3 && axis < 3; ++axis)
+      {
+        const char * const names[] = { "X", "Y", "Z" };
+        array->SetComponentName(axis, names[axis]);
+      }
+      attributes->AddArray(array);
+    },
+    column.values);
 }
 
 /** first, first + 1, ... end - 1. */
@@ -82,18 +120,6 @@ NumbersOf(std::int32_t first, std::size_t end)
   std::vector<std::int32_t> numbers(end < static_cast<std::size_t>(first) ? 0 : end - first);
   std::iota(numbers.begin(), numbers.end(), first);
   return numbers;
-}
-
-/** Throws std::invalid_argument where statistics are not of a mesh and its cells. */
-inline void
-RequireStatisticsOf(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
-{
-  if (statistics.cells.size() != cells.size() || statistics.walls.size() != mesh.walls.size())
-  {
-    throw std::invalid_argument("VTK bridge: the statistics are for " + std::to_string(statistics.cells.size()) +
-                                " vertices and " + std::to_string(statistics.walls.size()) + " walls, must be for " +
-                                std::to_string(cells.size()) + " and " + std::to_string(mesh.walls.size()));
-  }
 }
 
 /** Makes points of double precision, all of which the caller must set. */

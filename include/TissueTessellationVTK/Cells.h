@@ -21,123 +21,16 @@ namespace tissue
 {
 namespace bridge
 {
-/** Two cells that share walls. */
-struct NeighborPair
-{
-  double       area = 0.0;
-  std::int32_t numberOfWalls = 0;
-};
-
-/** The pairs of cells, without the exterior, that share walls, the vertices of each ascending. \param walls of the
- * mesh. */
-inline std::map<VertexPair, NeighborPair>
-FindNeighborPairs(const WallMesh & mesh, const std::vector<WallStatistics> & walls)
-{
-  std::map<VertexPair, NeighborPair> pairs;
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    VertexPair cells = mesh.walls[w].cells;
-    std::sort(cells.begin(), cells.end());
-    if (walls[w].area > 0.0 && cells[0] != ExteriorVertex)
-    {
-      NeighborPair & pair = pairs[cells];
-      pair.area += walls[w].area;
-      ++pair.numberOfWalls;
-    }
-  }
-  return pairs;
-}
-
-/** Counts the cells, without the exterior, with which each vertex shares a wall. */
-inline std::vector<std::int32_t>
-CountNeighbors(const WallMesh & mesh, const TissueStatistics & statistics)
-{
-  std::vector<std::int32_t> counts(statistics.cells.size(), 0);
-  for (const auto & pair : FindNeighborPairs(mesh, statistics.walls))
-  {
-    ++counts[pair.first[0]];
-    ++counts[pair.first[1]];
-  }
-  return counts;
-}
-
-/** Adds what is measured of the cells' shapes and places. */
-inline void
-AddShapes(vtkFieldData * attributes, const std::vector<CellStatistics> & statistics,
-          const std::vector<VertexId> & vertices)
-{
-  const auto add = [&](const char * name, const auto & valueOf) {
-    AddColumn<vtkTypeFloat64Array>(attributes, name, vertices, [&](VertexId v) { return valueOf(statistics[v]); });
-  };
-  using Shape = const CellStatistics &;
-  add("ExteriorArea", [](Shape cell) { return cell.exteriorArea; });
-  add("CutArea", [](Shape cell) { return cell.cutArea; });
-  AddColumn<vtkTypeInt32Array>(attributes, "Layer", vertices, [&](VertexId v) { return statistics[v].layer; });
-  add("Sphericity", [](Shape cell) { return cell.sphericity; });
-  add("Elongation", [](Shape cell) { return cell.Elongation(); });
-  add("Flatness", [](Shape cell) { return cell.Flatness(); });
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const char * const lengths[] = { "MajorAxisLength", "MiddleAxisLength", "MinorAxisLength" };
-    const char * const directions[] = { "MajorAxis", "MiddleAxis", "MinorAxis" };
-    add(lengths[axis], [axis](Shape cell) { return cell.axisLengths[axis]; });
-    AddVectorColumn(attributes, directions[axis], vertices, [&](VertexId v) { return statistics[v].axes[axis]; });
-  }
-  add("MeanCurvature", [](Shape cell) { return cell.curvatures.Mean(); });
-  add("GaussianCurvature", [](Shape cell) { return cell.curvatures.Gaussian(); });
-  add("MaximumCurvature", [](Shape cell) { return cell.curvatures.maximum; });
-  add("MinimumCurvature", [](Shape cell) { return cell.curvatures.minimum; });
-}
-
-/** Adds the columns of MakeCellTable in its order, with one row for each of the given vertices. Values come from the
- * cells of the image, from the check of their surfaces, from the walls, and from their statistics. */
+/** Adds the columns of MakeCellTable in its order, with one row for each of the given vertices. */
 inline void
 AddCellStatistics(vtkDataSetAttributes * attributes, const WallMesh & mesh, const std::vector<Cell> & cells,
                   const CellSurfaceCheck & check, const TissueStatistics & statistics,
                   const std::vector<VertexId> & vertices)
 {
-  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
-  RequireStatisticsOf(mesh, cells, statistics);
-  if (check.cells.size() != cells.size())
+  for (const StatisticColumn & column : MakeCellColumns(mesh, cells, check, statistics))
   {
-    throw std::invalid_argument("VTK bridge: the check of the cells' surfaces is for " +
-                                std::to_string(check.cells.size()) + " vertices, must be for " +
-                                std::to_string(cells.size()));
+    AddColumn(attributes, column, vertices);
   }
-  using Vertex = VertexId;
-  const std::vector<CellSurface> & surfaces = check.cells;
-  const std::vector<std::int32_t>  neighbors = CountNeighbors(mesh, statistics);
-  const auto                       add64 = [&](const char * name, std::int64_t Cell::*member) {
-    AddColumn<vtkTypeInt64Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member; });
-  };
-  const auto addFlag = [&](const char * name, bool Cell::*member) {
-    AddColumn<vtkTypeUInt8Array>(attributes, name, vertices, [&](Vertex v) { return cells[v].*member ? 1 : 0; });
-  };
-  const auto addSurface = [&](const char * name, std::int32_t CellSurface::*member) {
-    AddColumn<vtkTypeInt32Array>(attributes, name, vertices, [&](Vertex v) { return surfaces[v].*member; });
-  };
-  add64("Label", &Cell::label);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const char * const names[] = { "CenterX", "CenterY", "CenterZ" };
-    AddColumn<vtkTypeFloat64Array>(attributes, names[axis], vertices, [&](Vertex v) { return cells[v].center[axis]; });
-  }
-  AddColumn<vtkTypeFloat64Array>(attributes, "Volume", vertices, [&](Vertex v) { return surfaces[v].volume; });
-  AddColumn<vtkTypeFloat64Array>(attributes, "ImageVolume", vertices, [&](Vertex v) { return cells[v].volume; });
-  AddColumn<vtkTypeFloat64Array>(attributes, "SurfaceArea", vertices, [&](Vertex v) { return surfaces[v].area; });
-  AddColumn<vtkTypeInt32Array>(attributes, "NumberOfNeighbors", vertices, [&](Vertex v) { return neighbors[v]; });
-  addSurface("NumberOfTriangles", &CellSurface::numberOfTriangles);
-  addSurface("EulerCharacteristic", &CellSurface::eulerCharacteristic);
-  AddColumn<vtkTypeFloat64Array>(
-    attributes, "MinimumDihedralAngle", vertices, [&](Vertex v) { return check.angles.minimumDihedralOfCell[v]; });
-  AddColumn<vtkTypeUInt8Array>(attributes, "IsClosed", vertices, [&](Vertex v) { return surfaces[v].IsClosed(); });
-  addFlag("TouchesExterior", &Cell::touchesExterior);
-  addFlag("TouchesBorder", &Cell::touchesBorder);
-  AddColumn<vtkTypeInt32Array>(
-    attributes, "NumberOfPieces", vertices, [&](Vertex v) { return cells[v].numberOfPieces; });
-  add64("NumberOfVoxels", &Cell::numberOfVoxels);
-  add64("NumberOfStrayVoxels", &Cell::numberOfStrayVoxels);
-  AddShapes(attributes, statistics.cells, vertices);
   attributes->SetActiveScalars("Label");
 }
 
@@ -222,9 +115,9 @@ inline vtkSmartPointer<vtkTable>
 MakeNeighborTable(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
 {
   RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
-  bridge::RequireStatisticsOf(mesh, cells, statistics);
-  using Pair = std::pair<VertexPair, bridge::NeighborPair>;
-  const auto              map = bridge::FindNeighborPairs(mesh, statistics.walls);
+  RequireStatisticsOf(mesh, cells, statistics);
+  using Pair = std::pair<VertexPair, NeighborPair>;
+  const auto              map = FindNeighborPairs(mesh, statistics.walls);
   const std::vector<Pair> pairs(map.begin(), map.end());
   const auto              table = vtkSmartPointer<vtkTable>::New();
   vtkFieldData * const    rows = table->GetRowData();

@@ -15,8 +15,6 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeUInt8Array.h>
 
 #include <algorithm>
 
@@ -139,7 +137,7 @@ inline vtkSmartPointer<vtkPolyData>
 MakeWallPolyData(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
 {
   const auto triangles = bridge::MakeTriangles(mesh, cells);
-  bridge::RequireStatisticsOf(mesh, cells, statistics);
+  RequireStatisticsOf(mesh, cells, statistics);
   bridge::AddWallShapes(triangles->GetCellData(), mesh, statistics.walls);
   bridge::AddColumn<vtkTypeFloat64Array>(triangles->GetCellData(), "WallCutArea", mesh.wallOfTriangle, [&](WallId w) {
     return statistics.walls[w].cutArea;
@@ -163,23 +161,12 @@ MakeWallPolyData(const WallMesh & mesh, const std::vector<Cell> & cells, const T
 inline vtkSmartPointer<vtkTable>
 MakeWallTable(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics)
 {
-  RequireConsistentIndices(mesh, static_cast<VertexId>(cells.size()));
-  bridge::RequireStatisticsOf(mesh, cells, statistics);
   const std::vector<WallId> walls = bridge::NumbersOf(0, mesh.walls.size());
   const auto                table = vtkSmartPointer<vtkTable>::New();
-  vtkFieldData * const      rows = table->GetRowData();
-  const auto                add = [&](const char * name, double WallStatistics::*member) {
-    bridge::AddColumn<vtkTypeFloat64Array>(rows, name, walls, [&](WallId w) { return statistics.walls[w].*member; });
-  };
-  bridge::AddColumn<vtkTypeInt32Array>(rows, "WallId", walls, [](WallId w) { return w; });
-  bridge::AddSideLabels(rows, mesh, cells, walls);
-  add("Area", &WallStatistics::area);
-  bridge::AddVectorColumn(rows, "Center", walls, [&](WallId w) { return statistics.walls[w].center; });
-  bridge::AddVectorColumn(rows, "Normal", walls, [&](WallId w) { return statistics.walls[w].normal; });
-  add("Planarity", &WallStatistics::planarity);
-  add("PlaneDistance", &WallStatistics::planeDistance);
-  add("MeanCurvature", &WallStatistics::meanCurvature);
-  add("CutArea", &WallStatistics::cutArea);
+  for (const StatisticColumn & column : MakeWallColumns(mesh, cells, statistics))
+  {
+    bridge::AddColumn(table->GetRowData(), column, walls);
+  }
   return table;
 }
 } // namespace tissue

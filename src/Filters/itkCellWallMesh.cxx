@@ -96,16 +96,74 @@ CellWallMesh::GetTriangleLabels() const
   return container;
 }
 
+CellWallMesh::IndicesContainer::Pointer
+CellWallMesh::GetTriangleWalls() const
+{
+  const auto container = IndicesContainer::New();
+  for (const tissue::WallId wall : this->GetWallMesh().wallOfTriangle)
+  {
+    container->push_back(static_cast<IdentifierType>(wall));
+  }
+  return container;
+}
+
+CellWallMesh::IndicesContainer::Pointer
+CellWallMesh::GetNumbersOfCellsAtPoints() const
+{
+  const auto container = IndicesContainer::New();
+  for (const std::uint8_t number : this->GetWallMesh().numberOfCells)
+  {
+    container->push_back(number);
+  }
+  return container;
+}
+
+OffsetValueType
+CellWallMesh::GetExteriorLabel() const
+{
+  return static_cast<OffsetValueType>(this->GetJunctionSet().CellOfVertex(tissue::ExteriorVertex).label);
+}
+
+const tissue::AdjacencyOverlap &
+CellWallMesh::GetOverlap() const
+{
+  return this->GetReconstruction().stages.back().statistics.overlap;
+}
+
 double
 CellWallMesh::GetAdjacency2() const
 {
-  return this->GetReconstruction().stages.back().statistics.overlap.adjacency2;
+  return this->GetOverlap().adjacency2;
 }
 
 double
 CellWallMesh::GetAdjacency4() const
 {
-  return this->GetReconstruction().stages.back().statistics.overlap.adjacency4;
+  return this->GetOverlap().adjacency4;
+}
+
+double
+CellWallMesh::GetAdjacency4OfNeighbors() const
+{
+  return this->GetOverlap().adjacency4OfNeighbors;
+}
+
+SizeValueType
+CellWallMesh::GetNumberOfFalsePairs() const
+{
+  return static_cast<SizeValueType>(this->GetOverlap().numberOfFalsePairs);
+}
+
+SizeValueType
+CellWallMesh::GetNumberOfMissingPairs() const
+{
+  return static_cast<SizeValueType>(this->GetOverlap().numberOfMissingPairs);
+}
+
+SizeValueType
+CellWallMesh::GetNumberOfCrossings() const
+{
+  return static_cast<SizeValueType>(this->GetReconstruction().fitting.crossingPairs);
 }
 
 void

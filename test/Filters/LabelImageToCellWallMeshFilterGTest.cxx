@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -120,6 +121,31 @@ TEST(LabelImageToCellWallMeshFilter, RotatedAndShiftedImageGivesTheTransformedMe
   // Points that were untangled went steps along the axes of space, and others follow them to the volumes of the cells.
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.01);
+}
+
+TEST(LabelImageToCellWallMeshFilter, VotesDecideWhichCellsMeet)
+{
+  const auto filter = MakeFilter(MakeSyntheticTestTissue<unsigned short>());
+  filter->SetRefinement(0);
+  filter->Update();
+  const std::vector<tissue::VertexQuadruple> byImage = filter->GetOutput()->GetReconstruction().tetrahedra;
+  // For what the image has, but for a tenth of it.
+  std::vector<tissue::JunctionVote> list;
+  for (std::size_t i = 0; i < byImage.size(); i += 1 + (i % 10 == 9))
+  {
+    list.push_back({ byImage[i], 1.0 });
+    std::sort(list.back().cells.begin(), list.back().cells.end());
+  }
+  const auto votes = itk::TissueVotes::New();
+  votes->SetVotes(list);
+  filter->SetVotes(votes);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetJunctionSet().votes.size(), list.size());
+  EXPECT_NE(filter->GetOutput()->GetReconstruction().tetrahedra, byImage);
+  ExpectClosedSpheres(filter->GetOutput());
+  filter->SetVotes(nullptr);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetReconstruction().tetrahedra, byImage);
 }
 
 TEST(LabelImageToCellWallMeshFilter, ScaledImageGivesTheScaledMesh)

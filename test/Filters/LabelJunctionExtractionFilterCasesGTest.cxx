@@ -98,6 +98,34 @@ TEST(LabelJunctionExtractionPieces, OnlyCellsOfTheBorderTouchIt)
   EXPECT_EQ(set.cells[0].numberOfVoxels, 0);
 }
 
+TEST(LabelJunctionExtractionVotes, AreOnTheVerticesOfTheirLabels)
+{
+  const auto image = LabelImageFromText({ "...../.adf./...../" });
+  const auto filter = itk::LabelJunctionExtractionFilter<TextImageType>::New();
+  filter->SetInput(image);
+  filter->SetExteriorLabel('.');
+  filter->Update();
+  EXPECT_TRUE(filter->GetOutput()->GetJunctionSet().votes.empty());
+  const auto votes = itk::TissueVotes::New();
+  votes->SetVotes({ { { { 0, 'a', 'd', 'f' } }, 0.5 } });
+  filter->SetVotes(votes);
+  filter->Update();
+  const auto & found = filter->GetOutput()->GetJunctionSet().votes;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].cells, (tissue::VertexQuadruple{ { 0, 1, 2, 3 } }));
+  EXPECT_EQ(found[0].share, 0.5);
+}
+
+TEST(LabelJunctionExtractionVotes, OnALabelThatIsNoCellAreRefused)
+{
+  const auto filter = MakeFilter(MakeFourCubes<short>());
+  const auto votes = itk::TissueVotes::New();
+  votes->SetVotes({ { { { 0, 10, 20, 21 } }, 0.5 } });
+  filter->SetVotes(votes);
+  const std::string error = ErrorOf(filter);
+  EXPECT_TRUE(Has(error, "A vote is on label")) << error;
+}
+
 TEST(LabelJunctionExtractionVolume, IsMadeOnlyWhereAskedFor)
 {
   const auto filter = MakeFilter(MakeFourCubes<short>());

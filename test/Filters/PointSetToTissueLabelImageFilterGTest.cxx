@@ -227,14 +227,14 @@ TEST(PointSetToTissueLabelImageFilter, FindsLayersUnlessToldOtherwise)
   filter->SetVoxelsPerCell(500);
   EXPECT_EQ(filter->GetLayer(), FilterType::LayerEnum::Automatic);
   filter->Update();
-  EXPECT_TRUE(filter->GetVotes().empty());
+  EXPECT_EQ(filter->GetVotes()->GetNumberOfVotes(), 0u);
   EXPECT_EQ(MeasureShapes(filter->GetOutput())->GetNumberOfLabelObjects(), points.size());
   filter->SetLayer(FilterType::LayerEnum::Off);
   filter->Update();
-  EXPECT_FALSE(filter->GetVotes().empty());
+  EXPECT_GT(filter->GetVotes()->GetNumberOfVotes(), 0u);
   filter->SetLayer(FilterType::LayerEnum::On);
   filter->Update();
-  EXPECT_TRUE(filter->GetVotes().empty());
+  EXPECT_EQ(filter->GetVotes()->GetNumberOfVotes(), 0u);
 }
 
 TEST(PointSetToTissueLabelImageFilter, RefusesMorePointsThanLabels)

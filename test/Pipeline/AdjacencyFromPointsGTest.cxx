@@ -8,6 +8,7 @@
 #include "LabelImageTestHelpers.h"
 #include "TissueTessellationCore/Common/Random.h"
 #include "TissueTessellationProgramTest.h"
+#include "itkSyntheticTissueImageSource.h"
 
 #include <algorithm>
 #include <cmath>

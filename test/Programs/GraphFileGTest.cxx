@@ -6,33 +6,18 @@
  *=========================================================================*/
 #include "Shared/Files/GraphFile.h"
 
+#include "TableFromLists.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
-#include <vtkTable.h>
 #include <vtkTypeFloat64Array.h>
 #include <vtkTypeInt64Array.h>
 
-#include <initializer_list>
 #include <limits>
 
 namespace
 {
-template <typename TArray, typename TValue>
-void
-AddColumn(vtkTable * table, const char * name, std::initializer_list<TValue> values)
-{
-  vtkNew<TArray> array;
-  array->SetName(name);
-  for (const TValue & value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  table->AddColumn(array);
-}
-
 class GraphFileTest : public TemporaryFolderTest
 {};
 } // namespace

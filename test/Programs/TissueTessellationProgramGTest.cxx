@@ -37,14 +37,15 @@ protected:
 };
 
 const std::string AllOutputs = " walls.vtp --complex complex.vtu --cells cells.vtu --statistics cells.csv "
-                               "--walls walls.csv --graph graph.graphml --report report.json ";
+                               "--walls walls.csv --graph graph.graphml --page page.html --report report.json ";
 } // namespace
 
 TEST_F(TissueTessellationApp, WritesAllThatIsAskedFor)
 {
   this->WriteTissue<unsigned short>("tissue.mha");
   ASSERT_EQ(this->Run("tissue.mha" + AllOutputs), 0) << m_Errors;
-  EXPECT_EQ(this->List(), "cells.csv cells.vtu complex.vtu graph.graphml report.json tissue.mha walls.csv walls.vtp ");
+  EXPECT_EQ(this->List(),
+            "cells.csv cells.vtu complex.vtu graph.graphml page.html report.json tissue.mha walls.csv walls.vtp ");
   EXPECT_EQ(m_Errors, "");
   for (const char * said : { "40 cells", "0.5 x 0.5 x 1", "optimized", "walls.vtp (cell walls)", "report.json" })
   {
@@ -73,6 +74,15 @@ TEST_F(TissueTessellationApp, WritesAllThatIsAskedFor)
             report["stages"]["optimized"]["tetrahedra"].get<long>());
   const std::string table = ReadBytes(this->PathOf("cells.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 41);
+
+  const std::string page = ReadBytes(this->PathOf("page.html"));
+  const std::string element = "id=\"tissue-data\">";
+  const std::size_t at = page.find(element) + element.size();
+  const Json        data = Json::parse(page.substr(at, page.find("</script>", at) - at));
+  EXPECT_EQ(data["report"], report);
+  const std::string head = table.substr(0, table.find('\n'));
+  EXPECT_EQ(data["columns"].size(), static_cast<std::size_t>(std::count(head.begin(), head.end(), ',')) + 1);
+  EXPECT_EQ(data["columns"][0]["values"].size(), 40u);
 }
 
 TEST_F(TissueTessellationApp, ReportsEveryStageAndSoundCells)

@@ -4,24 +4,15 @@
  *  SPDX-License-Identifier: Apache-2.0
  *
  *=========================================================================*/
-#ifndef TissueTessellationAppTest_h
-#define TissueTessellationAppTest_h
+#ifndef TissueTessellationProgramTest_h
+#define TissueTessellationProgramTest_h
 
 #include "SyntheticTestTissue.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
-#include <itkGiplImageIO.h>
-#include <itkImageFileWriter.h>
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-#include <itkTIFFImageIO.h>
-#include <itkVTKImageIO.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,117 +23,30 @@ class TissueTessellationAppTest : public TemporaryFolderTest
 protected:
   /** Returns the exit code; `before` is put before the program in the shell's command. */
   int
-  Run(const std::string & arguments, const std::string & before = "")
-  {
-    const std::string command =
-      "cd " + m_Folder.string() + " && " + before + " " + m_Program + " " + arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    m_Output = ReadBytes(this->PathOf("out.txt"));
-    m_Errors = ReadBytes(this->PathOf("err.txt"));
-    std::filesystem::remove(this->PathOf("out.txt"));
-    std::filesystem::remove(this->PathOf("err.txt"));
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
+  Run(const std::string & arguments, const std::string & before = "");
 
-  static itk::ImageIOBase::Pointer
-  MakeImageIO(const std::string & name)
-  {
-    const auto endsIn = [&name](const std::string & end) {
-      return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-    };
-    if (endsIn(".nrrd"))
-    {
-      return itk::NrrdImageIO::New().GetPointer();
-    }
-    if (endsIn(".nii") || endsIn(".nii.gz"))
-    {
-      return itk::NiftiImageIO::New().GetPointer();
-    }
-    if (endsIn(".tif"))
-    {
-      return itk::TIFFImageIO::New().GetPointer();
-    }
-    if (endsIn(".vtk"))
-    {
-      return itk::VTKImageIO::New().GetPointer();
-    }
-    if (endsIn(".gipl"))
-    {
-      return itk::GiplImageIO::New().GetPointer();
-    }
-    return itk::MetaImageIO::New().GetPointer();
-  }
-
+  /** Writes an image of a type that TissueTessellationProgramTest.cxx lists, in the format of the name. */
   template <typename TImage>
   void
-  WriteImage(const TImage * image, const std::string & name, bool isCompressed = false)
-  {
-    const auto writer = itk::ImageFileWriter<TImage>::New();
-    const auto io = MakeImageIO(name);
-    // Binary where there is a choice: VTK's default is text.
-    io->SetFileTypeToBinary();
-    writer->SetImageIO(io);
-    writer->SetInput(image);
-    writer->SetFileName(this->PathOf(name));
-    writer->SetUseCompression(isCompressed);
-    writer->Update();
-  }
+  WriteImage(const TImage * image, const std::string & name, bool isCompressed = false);
 
   template <typename TPixel>
   void
-  WriteTissue(const std::string & name, bool isCompressed = false)
-  {
-    this->WriteImage(MakeSyntheticTestTissue<TPixel>().GetPointer(), name, isCompressed);
-  }
+  WriteTissue(const std::string & name, bool isCompressed = false);
 
   nlohmann::json
-  ReadReport() const
-  {
-    return nlohmann::json::parse(ReadBytes(this->PathOf("report.json")));
-  }
+  ReadReport() const;
 
   nlohmann::json
-  RunAndReport(const std::string & arguments)
-  {
-    EXPECT_EQ(this->Run(arguments + " --report report.json"), 0) << arguments << ": " << m_Errors;
-    return this->ReadReport();
-  }
+  RunAndReport(const std::string & arguments);
 
   /** Labels with a remark of this reason. */
   static std::set<long>
-  LabelsOf(const nlohmann::json & report, const std::string & reason)
-  {
-    std::set<long> labels;
-    for (const nlohmann::json & remark : report["remarks"])
-    {
-      if (remark["reason"] == reason)
-      {
-        labels.insert(remark["label"].get<long>());
-      }
-    }
-    return labels;
-  }
+  LabelsOf(const nlohmann::json & report, const std::string & reason);
 
   /** Every part must be in the message. */
   void
-  ExpectRefusal(const std::string & arguments, const std::vector<std::string> & parts, const std::string & before = "")
-  {
-    const std::string files = this->List();
-    EXPECT_EQ(this->Run(arguments, before), 1) << arguments;
-    EXPECT_EQ(m_Output, "") << arguments;
-    EXPECT_EQ(m_Errors.find(std::filesystem::path(m_Program).filename().string() + ": "), 0u)
-      << arguments << ": " << m_Errors;
-    EXPECT_EQ(m_Errors.find('\n'), m_Errors.size() - 1) << arguments << ": " << m_Errors;
-    for (const std::string & part : parts)
-    {
-      EXPECT_NE(m_Errors.find(part), std::string::npos) << arguments << ": '" << part << "' is not in " << m_Errors;
-    }
-    for (const char * noise : { "ITK ERROR", "0x", ".cxx", ".hxx" })
-    {
-      EXPECT_EQ(m_Errors.find(noise), std::string::npos) << arguments << ": " << m_Errors;
-    }
-    EXPECT_EQ(this->List(), files) << arguments;
-  }
+  ExpectRefusal(const std::string & arguments, const std::vector<std::string> & parts, const std::string & before = "");
 
   std::string m_Program = TISSUE_TESSELLATION_PROGRAM;
   std::string m_Output;

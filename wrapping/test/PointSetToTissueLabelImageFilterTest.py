@@ -72,6 +72,21 @@ class PointSetToTissueLabelImageFilterTest(unittest.TestCase):
         labels = itk.array_from_vector_container(mesh.GetTriangleLabels()).reshape(-1, 2)
         np.testing.assert_array_equal(np.unique(labels), np.arange(CELLS + 1))
 
+    def test_votes_tell_which_cells_meet(self):
+        tissue = itk.PointSetToTissueLabelImageFilter.New(self.points, reference_image=self.nuclei)
+        tissue.Update()
+        votes = tissue.GetVotes()
+        labels = itk.array_from_vector_container(votes.GetLabels()).reshape(-1, 4)
+        shares = itk.array_from_vector_container(votes.GetShares())
+        self.assertEqual(len(labels), votes.GetNumberOfVotes())
+        self.assertTrue(((shares > 0) & (shares <= 1)).all())
+        self.assertTrue((np.diff(labels.astype(int), axis=1) > 0).all())
+        self.assertEqual((labels.min(), labels.max()), (0, CELLS))
+        by_image = itk.label_image_to_cell_wall_mesh_filter(tissue.GetOutput(), refinement=0)
+        by_votes = itk.label_image_to_cell_wall_mesh_filter(tissue.GetOutput(), votes=votes, refinement=0)
+        self.assertEqual(by_votes.GetNumberOfCells(), CELLS)
+        self.assertNotEqual(by_votes.GetAdjacency4(), by_image.GetAdjacency4())
+
     def test_points_of_ones_own_and_errors(self):
         labels = itk.point_set_to_tissue_label_image_filter(make_point_set(self.centers), voxels_per_cell=500)
         self.assertEqual(labels_at(labels, self.centers), list(range(1, CELLS + 1)))

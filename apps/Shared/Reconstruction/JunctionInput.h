@@ -24,6 +24,8 @@ struct JunctionOptions
   bool makesVolume = false;
   /** Whether an image whose labels are specks is taken for a label image all the same. */
   bool acceptsSpecks = false;
+  /** On which cells of an estimated tissue meet; null: none. */
+  itk::TissueVotes::ConstPointer votes;
 };
 
 /** The junctions of a label image. \throws itk::ExceptionObject as itk::LabelJunctionExtractionFilter. */
@@ -34,6 +36,7 @@ ExtractJunctions(const TImage * image, const JunctionOptions & options, Progress
   Stopwatch  timer;
   const auto extraction = itk::LabelJunctionExtractionFilter<TImage>::New();
   extraction->SetInput(image);
+  extraction->SetVotes(options.votes);
   extraction->SetExterior(options.exterior);
   extraction->SetGenerateLabelVolume(options.makesVolume);
   progress.Begin("Finding junctions");

@@ -33,6 +33,7 @@ OutputPaths::List() const
                                { junctions, "junctions" },
                                { report, "report" },
                                { picture, "picture" },
+                               { page, "page" },
                                { returnParameters, "results for 3D Slicer" } };
   for (const std::string & simulation : simulations)
   {
@@ -100,6 +101,7 @@ AddOutputOptions(CLI::App & app, OutputPaths & paths)
       "Which cells are neighbours: a node a cell with its statistics, an edge by the area of two cells' walls");
   add("--junctions", paths.junctions, { ".csv" }, "The places in the image where four cells meet, one row each");
   add("--report", paths.report, { ".json" }, "Report of the run");
+  add("--page", paths.page, { ".html" }, "Page to look at the cells, their statistics and the report in a browser");
   add("--picture", paths.picture, { ".png" }, "Picture of the tissue, on a display or by EGL");
   app
     .add_option("--colorBy",

@@ -31,6 +31,7 @@ struct OutputPaths
   std::string picture;
   /** The column of the cells' statistics that the picture is coloured by; empty: none. */
   std::string colorBy;
+  std::string page;
   /** Models for programs that mesh the cells: `.geo` of Gmsh, `.smesh` of TetGen. */
   std::vector<std::string> simulations;
   /** Meshes for other programs, see MeshExportEndings(), and the cells that are in them; none: all. */

@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Shared/Reconstruction/PictureColumn.h"
 
+#include "Shared/Files/ColumnUnit.h"
 #include "Shared/Files/TableColumns.h"
 
 #include <vtkDataArray.h>
@@ -17,28 +18,6 @@
 
 namespace tissue
 {
-namespace
-{
-/** The unit of a statistic, by the power of the length in it. */
-std::string
-UnitOf(const std::string & column, const std::string & length)
-{
-  static const std::map<std::string, int> powers{
-    { "CenterX", 1 },           { "CenterY", 1 },           { "CenterZ", 1 },           { "Volume", 3 },
-    { "ImageVolume", 3 },       { "SurfaceArea", 2 },       { "ExteriorArea", 2 },      { "CutArea", 2 },
-    { "MajorAxisLength", 1 },   { "MiddleAxisLength", 1 },  { "MinorAxisLength", 1 },   { "MeanCurvature", -1 },
-    { "MaximumCurvature", -1 }, { "MinimumCurvature", -1 }, { "GaussianCurvature", -2 }
-  };
-  static const std::map<int, std::string> exponents{ { 1, "" }, { 2, "²" }, { 3, "³" } };
-  const auto                              power = powers.find(column);
-  if (power == powers.end())
-  {
-    return column == "MinimumDihedralAngle" ? "degrees" : "";
-  }
-  return (power->second < 0 ? "1/" : "") + length + exponents.at(std::abs(power->second));
-}
-} // namespace
-
 std::optional<PictureValues>
 MakePictureValues(vtkTable * table, const std::string & column, const std::vector<Cell> & cells,
                   const std::string & lengthUnit)
@@ -58,7 +37,7 @@ MakePictureValues(vtkTable * table, const std::string & column, const std::vecto
   {
     vertexOf[cells[v].label] = v;
   }
-  const std::string unit = UnitOf(column, lengthUnit);
+  const std::string unit = ColumnUnit(column, lengthUnit);
   PictureValues     values{ column + (unit.empty() ? "" : " (" + unit + ")"), {}, {} };
   const bool        isText = TypeOf(*found) == ValueType::Text;
   values.numbers.resize(isText ? 0 : cells.size(), std::numeric_limits<double>::quiet_NaN());

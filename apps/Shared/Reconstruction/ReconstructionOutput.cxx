@@ -7,10 +7,12 @@
 #include "Shared/Reconstruction/ReconstructionOutput.h"
 
 #include "Shared/Exports/MeshExport.h"
+#include "Shared/Files/ColumnUnit.h"
 #include "Shared/Files/GraphFile.h"
 #include "Shared/Files/JsonFiles.h"
 #include "Shared/Files/OutputFiles.h"
 #include "Shared/Files/VTKFiles.h"
+#include "Shared/Page/PageFile.h"
 #include "Shared/Pictures/WallMeshPicture.h"
 #include "Shared/Reconstruction/CellSegmentation.h"
 #include "Shared/Reconstruction/PictureColumn.h"
@@ -167,9 +169,14 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   });
   add(paths.junctions,
       [&](const std::string & path) { WriteCSV(MakeJunctionTable(report.input.GetJunctionSet()), path); });
+  const std::string & lengthUnit = report.input.image.unit.empty() ? report.input.pointUnit : report.input.image.unit;
+  add(paths.page, [&](const std::string & path) {
+    const std::vector<Color> colors = ChooseCellColors(walls, static_cast<VertexId>(cells.size()));
+    WritePage({ walls, makeCellTable(), colors, ToJson(report), lengthUnit }, path);
+  });
   add(paths.picture, [&](const std::string & path) {
     WallMeshPictureOptions options;
-    options.lengthUnit = report.input.image.unit == "millimetres" ? "mm" : options.lengthUnit;
+    options.lengthUnit = lengthUnit.empty() ? options.lengthUnit : LengthSymbol(lengthUnit);
     options.values = MakePictureValues(makeCellTable(), paths.colorBy, cells, options.lengthUnit);
     WriteWallMeshPicture(walls, cells, path, options);
   });

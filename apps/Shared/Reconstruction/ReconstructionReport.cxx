@@ -313,16 +313,7 @@ CollectWarnings(const ReconstructionReport & report)
 std::vector<CellRemark>
 CollectAllRemarks(const ReconstructionReport & report)
 {
-  const CellSurfaceCheck & check = report.tissue.check;
-  std::vector<CellRemark>  remarks;
-  for (const VertexId v : check.cellsWithoutTriangles)
-  {
-    remarks.push_back({ v, Remark::Missing, 0.0 });
-  }
-  for (const VertexId v : check.cellsThatAreNoSphere)
-  {
-    remarks.push_back({ v, Remark::NoClosedSphere, static_cast<double>(check.cells[v].eulerCharacteristic) });
-  }
+  std::vector<CellRemark>         remarks = CollectRemarks(report.tissue.check);
   const std::vector<CellRemark> & ofReconstruction = report.GetReconstruction().remarks;
   remarks.insert(remarks.end(), ofReconstruction.begin(), ofReconstruction.end());
   return remarks;

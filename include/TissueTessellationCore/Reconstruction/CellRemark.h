@@ -15,6 +15,7 @@
 namespace tissue
 {
 struct AdjacencyTuples;
+struct CellSurfaceCheck;
 struct JunctionSet;
 
 /** What a user should know of one cell: what the image, not the method, made special or impossible. */
@@ -105,6 +106,10 @@ DescribeSeveral(Remark remark);
 /** All remarks that follow from the image and the final complex, ascending by cell, then by kind. */
 std::vector<CellRemark>
 CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions);
+
+/** The remarks on cells that are missing, then on those that are no closed spheres, in a mesh. */
+std::vector<CellRemark>
+CollectRemarks(const CellSurfaceCheck & check);
 } // namespace tissue
 
 #endif

@@ -9,10 +9,14 @@
 
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Common/Execution.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 #include "TissueTessellationCore/Mesh/WallMesh.h"
 
 #include <functional>
 #include <limits>
+#include <map>
+#include <string>
+#include <variant>
 #include <vector>
 
 namespace tissue
@@ -132,6 +136,48 @@ MeasureWalls(const WallMesh & mesh);
  * \throws std::invalid_argument as RequireConsistentIndices does. */
 TissueStatistics
 MeasureTissue(const WallMesh & mesh, const std::vector<Cell> & cells, const ImageGrid & grid);
+
+/** \throws std::invalid_argument where the statistics are not of as many vertices and walls as the mesh has. */
+void
+RequireStatisticsOf(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics);
+
+/** Two cells that share walls. */
+struct NeighborPair
+{
+  double       area = 0.0;
+  std::int32_t numberOfWalls = 0;
+};
+
+/** The pairs of cells, without the exterior, that share walls, the vertices of each ascending. \param walls of the
+ * mesh. */
+std::map<VertexPair, NeighborPair>
+FindNeighborPairs(const WallMesh & mesh, const std::vector<WallStatistics> & walls);
+
+/** \brief A column of a table of cells or walls, for the files, arrays and languages that have such tables. */
+struct StatisticColumn
+{
+  /** Flags, 0 or 1; counts; labels; and measures, which are UnknownStatistic where they are not known. */
+  using Values =
+    std::variant<std::vector<std::uint8_t>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<double>>;
+
+  std::string name;
+  /** 1, or 3 of a vector: x, y and z. */
+  int numberOfComponents = 1;
+  /** Row by row. */
+  Values values;
+};
+
+/** All that is known of the cells: as the image has them, as the mesh has them, and their statistics. Rows are
+ * vertices, and that of the exterior means nothing. `Label` is the first column. \param check the result of
+ * CheckCellSurfaces. \param statistics that of MeasureTissue. \throws std::invalid_argument where these are for other
+ * numbers, or as RequireConsistentIndices does. */
+std::vector<StatisticColumn>
+MakeCellColumns(const WallMesh & mesh, const std::vector<Cell> & cells, const CellSurfaceCheck & check,
+                const TissueStatistics & statistics);
+
+/** The same of the walls: `WallId`, `Label0` and `Label1` of the two cells, and WallStatistics. Rows are walls. */
+std::vector<StatisticColumn>
+MakeWallColumns(const WallMesh & mesh, const std::vector<Cell> & cells, const TissueStatistics & statistics);
 
 /** \brief What an image of intensities has in a cell. Voxels whose value is not finite are not known, and left out. */
 struct CellSignal

@@ -10,6 +10,7 @@
 #include "TissueTessellationCore/Adjacency/JunctionSet.h"
 #include "TissueTessellationCore/Adjacency/SuspectCells.h"
 #include "TissueTessellationCore/Complex/AdjacencyOverlap.h"
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
 
 #include <iterator>
 #include <map>
@@ -262,6 +263,21 @@ CollectRemarks(const AdjacencyTuples & complex, const JunctionSet & junctions)
     add(!cell.touchesExterior && touches, Remark::ExteriorGained, 0.0);
     add(count.lost > 0, Remark::WallsLost, count.lost);
     add(count.gained > 0, Remark::WallsGained, count.gained);
+  }
+  return remarks;
+}
+
+std::vector<CellRemark>
+CollectRemarks(const CellSurfaceCheck & check)
+{
+  std::vector<CellRemark> remarks;
+  for (const VertexId v : check.cellsWithoutTriangles)
+  {
+    remarks.push_back({ v, Remark::Missing, 0.0 });
+  }
+  for (const VertexId v : check.cellsThatAreNoSphere)
+  {
+    remarks.push_back({ v, Remark::NoClosedSphere, static_cast<double>(check.cells[v].eulerCharacteristic) });
   }
   return remarks;
 }

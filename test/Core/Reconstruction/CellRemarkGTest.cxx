@@ -6,6 +6,8 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/CellRemark.h"
 
+#include "TissueTessellationCore/Mesh/CellSurfaceCheck.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -38,4 +40,20 @@ TEST(CellRemark, SaysItsValueInTheSingularAndThePlural)
   EXPECT_EQ(Describe({ 1, Remark::VolumeOff, 0.25 }), "has 0.25 times its volume in the image");
   EXPECT_EQ(Describe({ 1, Remark::NoClosedSphere, -4.0 }),
             "has a surface that is no closed sphere; its Euler characteristic is -4");
+}
+
+TEST(CellRemark, NamesWhatTheCheckOfTheMeshFinds)
+{
+  CellSurfaceCheck check;
+  check.cells.resize(4);
+  check.cells[3].eulerCharacteristic = -4;
+  check.cellsWithoutTriangles = { 2 };
+  check.cellsThatAreNoSphere = { 3 };
+  const std::vector<CellRemark> remarks = CollectRemarks(check);
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_EQ(remarks[0].cell, 2);
+  EXPECT_EQ(remarks[0].remark, Remark::Missing);
+  EXPECT_EQ(remarks[1].cell, 3);
+  EXPECT_EQ(remarks[1].remark, Remark::NoClosedSphere);
+  EXPECT_EQ(remarks[1].value, -4.0);
 }

@@ -1,0 +1,36 @@
+# The page as its user sees it, with clicks and keys; and whether the bundle that is built in is of its sources.
+set(missing "")
+require_tools(missing chromium chromedriver)
+execute_process(COMMAND /usr/bin/python3 -c "import selenium" RESULT_VARIABLE failed ERROR_QUIET)
+if(failed)
+  list(APPEND missing python3-selenium)
+endif()
+if(missing)
+  add_skipped_test(PageInBrowser ${missing})
+else()
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/PageInBrowser")
+  # What HTML has other meanings for, in a name of a file.
+  set(tissue "${folder}/a <b>&'.mha")
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME PageInBrowserTissue COMMAND SyntheticTissue "${tissue}" --cells 60)
+  add_test(NAME PageInBrowserMesh COMMAND TissueTessellationApp "${tissue}" "${folder}/walls.vtp"
+    --page "${folder}/page.html" --statistics "${folder}/cells.csv")
+  add_test(NAME PageInBrowser COMMAND /usr/bin/python3 -B "${CMAKE_CURRENT_SOURCE_DIR}/Programs/page_in_browser.py"
+    "${folder}" "${CHROMIUM_EXECUTABLE}" "${CHROMEDRIVER_EXECUTABLE}")
+  set_tests_properties(PageInBrowserTissue PROPERTIES FIXTURES_SETUP PageInBrowserTissue)
+  set_tests_properties(PageInBrowserMesh PROPERTIES
+    FIXTURES_REQUIRED PageInBrowserTissue FIXTURES_SETUP PageInBrowserMesh)
+  set_tests_properties(PageInBrowser PROPERTIES FIXTURES_REQUIRED PageInBrowserMesh TIMEOUT 300)
+endif()
+
+set(web "${PROJECT_SOURCE_DIR}/apps/Shared/Page/web")
+set(missing "")
+require_tools(missing node)
+if(NOT EXISTS "${web}/node_modules/esbuild")
+  list(APPEND missing "npm ci in apps/Shared/Page/web")
+endif()
+if(missing)
+  add_skipped_test(PageBundle ${missing})
+else()
+  add_test(NAME PageBundle COMMAND "${NODE_EXECUTABLE}" build.mjs --check WORKING_DIRECTORY "${web}")
+endif()
