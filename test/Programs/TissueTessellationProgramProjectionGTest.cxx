@@ -125,6 +125,7 @@ TEST_F(TissueTessellationProjection, AnExtensionThatNoWriterKnowsIsRefusedBefore
                                      "--statistics s.json",
                                      "--junctions j.txt",
                                      "--report r.txt",
+                                     "--page p.php",
                                      "--picture p.jpg" })
   {
     this->Refuse(output, { "must end in ." });
