@@ -65,7 +65,7 @@ private:
   itk::TissueLabelVolume::Pointer m_Labels;
   std::vector<MatchedRows>        m_Rows;
   std::vector<std::string>        m_Warnings;
-  nlohmann::ordered_json          m_Report;
+  nlohmann::ordered_json          m_Report = nlohmann::ordered_json::object();
 };
 } // namespace tissue
 
