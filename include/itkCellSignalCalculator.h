@@ -7,11 +7,19 @@
 #ifndef itkCellSignalCalculator_h
 #define itkCellSignalCalculator_h
 
-#include "TissueTessellationCore/Statistics/TissueStatistics.h"
 #include "itkCellWallMesh.h"
 #include "itkImage.h"
 #include "itkMultiThreaderBase.h"
 #include "itkTissueLabelVolume.h"
+
+#ifndef ITK_WRAPPING_PARSER // which reads C++11
+#  include "TissueTessellationCore/Statistics/TissueStatistics.h"
+#else
+namespace tissue
+{
+struct CellSignal;
+}
+#endif
 
 namespace itk
 {
