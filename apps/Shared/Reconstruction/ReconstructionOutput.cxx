@@ -177,7 +177,10 @@ WriteOutputs(const OutputPaths & paths, const ReconstructionReport & report, Pro
   add(paths.picture, [&](const std::string & path) {
     WallMeshPictureOptions options;
     options.lengthUnit = lengthUnit.empty() ? options.lengthUnit : LengthSymbol(lengthUnit);
-    options.values = MakePictureValues(makeCellTable(), paths.colorBy, cells, options.lengthUnit);
+    if (!paths.colorBy.empty())
+    {
+      options.values = MakePictureValues(makeCellTable(), paths.colorBy, cells, options.lengthUnit);
+    }
     WriteWallMeshPicture(walls, cells, path, options);
   });
   add(paths.returnParameters, [&](const std::string & path) { WriteReturnParameters(CollectResults(report), path); });
