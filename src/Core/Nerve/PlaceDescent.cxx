@@ -42,7 +42,16 @@ public:
   Descent(GeneralComplex & complex, PlaceEnergy & energy)
     : m_Complex(complex)
     , m_Energy(energy)
-  {}
+    , m_CountsOf(static_cast<std::size_t>(complex.TetrahedronIdBound()), -1)
+  {
+    for (TetrahedronId id = 0; id < complex.TetrahedronIdBound(); ++id)
+    {
+      if (complex.IsAlive(id))
+      {
+        this->FindCountsOf(id);
+      }
+    }
+  }
 
   /** Visits all tetrahedra, then all that were touched, until none is left. Returns the number of tetrahedra at which
    * it found a move, or two. */
@@ -149,11 +158,10 @@ private:
   {
     const VertexQuadruple & t = m_Complex.GetTetrahedron(triangle.tetrahedron).vertices;
     const VertexId          a = t[triangle.opposite];
-    const VertexId          b = m_Complex.VertexOpposite(m_Complex.GetMate(triangle));
-    VertexQuadruple         other = t;
-    other[triangle.opposite] = b;
-    double cost =
-      m_Energy.CostOfEdge(a, b) + m_Energy.CostWithoutTetrahedron(t) + m_Energy.CostWithoutTetrahedron(other);
+    const Side              mate = m_Complex.GetMate(triangle);
+    const VertexId          b = m_Complex.VertexOpposite(mate);
+    double                  cost =
+      m_Energy.CostOfEdge(a, b) + this->CostWithout(triangle.tetrahedron) + this->CostWithout(mate.tetrahedron);
     if (cost - 3.0 * LargestGain >= m_Limit)
     {
       return false;
@@ -177,7 +185,7 @@ private:
     double           cost = m_Energy.CostWithoutEdge(ends[0], ends[1]);
     for (const RingStep & step : ring)
     {
-      cost += m_Energy.CostWithoutTetrahedron(m_Complex.GetTetrahedron(step.tetrahedron).vertices);
+      cost += this->CostWithout(step.tetrahedron);
     }
     // At the best all tetrahedra over the ring are wanted, and a wanted one gains 1; likewise its diagonals.
     const auto n = static_cast<double>(ring.size());
@@ -365,7 +373,25 @@ private:
   Apply(const GeneralMove & move)
   {
     m_Energy.Account(m_Complex, move);
-    return m_Complex.Apply(move);
+    GeneralMove inverse = m_Complex.Apply(move);
+    m_CountsOf.resize(static_cast<std::size_t>(m_Complex.TetrahedronIdBound()), -1);
+    for (const TetrahedronId id : inverse.removed)
+    {
+      this->FindCountsOf(id);
+    }
+    return inverse;
+  }
+
+  void
+  FindCountsOf(TetrahedronId id)
+  {
+    m_CountsOf[id] = m_Energy.IndexOfTetrahedron(m_Complex.GetTetrahedron(id).vertices);
+  }
+
+  double
+  CostWithout(TetrahedronId id) const
+  {
+    return m_Energy.CostWithoutTetrahedron(m_CountsOf[id]);
   }
 
   /** What a move has made, and what it has glued to that. */
@@ -404,6 +430,8 @@ private:
 
   GeneralComplex & m_Complex;
   PlaceEnergy &    m_Energy;
+  /** Of each tetrahedron where the energy has its counts: asked for time and again. */
+  std::vector<std::int32_t> m_CountsOf;
   /** What the difference of a move must be less than. */
   double                     m_Limit = NoDifference;
   std::vector<TetrahedronId> m_Marked;

@@ -203,4 +203,10 @@ PlaceEnergy::CostWithoutTetrahedron(const VertexQuadruple & vertices) const
 {
   return this->ChangeOfEnergy(m_Corners.Get(Ascending(vertices)), -1);
 }
+
+std::int32_t
+PlaceEnergy::IndexOfTetrahedron(const VertexQuadruple & vertices) const
+{
+  return m_Corners.IndexOf(Ascending(vertices));
+}
 } // namespace tissue

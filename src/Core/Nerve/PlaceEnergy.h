@@ -98,7 +98,18 @@ public:
 
   double
   CostWithoutTetrahedron(const VertexQuadruple & vertices) const;
+
+  /** The same by the index among the corners' counts. */
+  double
+  CostWithoutTetrahedron(std::int32_t index) const
+  {
+    return this->ChangeOfEnergy(m_Corners.GetEntries()[static_cast<std::size_t>(index)], -1);
+  }
   /** @} */
+
+  /** Where the counts of a tetrahedron that is, or was, in the complex are, now and later. */
+  std::int32_t
+  IndexOfTetrahedron(const VertexQuadruple & vertices) const;
 
   /** What a wall costs in corners. */
   double
