@@ -69,31 +69,37 @@ InOwnFrame(std::vector<Point> points)
 }
 } // namespace
 
+std::vector<std::int32_t>
+HilbertOrder(const std::vector<Point> & points)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Point_3> places;
+  places.reserve(points.size());
+  for (const Point & p : points)
+  {
+    places.emplace_back(p[0], p[1], p[2]);
+  }
+  const auto positions = CGAL::make_property_map(places);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(CGAL::make_property_map(places))>;
+
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  CGAL::hilbert_sort(order.begin(), order.end(), Traits(positions));
+  return { order.begin(), order.end() };
+}
+
 std::vector<VertexId>
 SpatialOrder(const std::vector<Point> & centers)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   if (centers.size() < 2)
   {
     return std::vector<VertexId>(centers.size(), ExteriorVertex);
   }
-  std::vector<Kernel::Point_3> points{ Kernel::Point_3(0.0, 0.0, 0.0) }; // It stands for the exterior.
-  points.reserve(centers.size());
-  for (const Point & p : InOwnFrame({ centers.begin() + 1, centers.end() }))
+  std::vector<VertexId> order{ ExteriorVertex };
+  order.reserve(centers.size());
+  for (const std::int32_t i : HilbertOrder(InOwnFrame({ centers.begin() + 1, centers.end() })))
   {
-    points.emplace_back(p[0], p[1], p[2]);
-  }
-  const auto positions = CGAL::make_property_map(points);
-  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(CGAL::make_property_map(points))>;
-
-  std::vector<std::size_t> indices(centers.size());
-  std::iota(indices.begin(), indices.end(), std::size_t{ 0 });
-  CGAL::hilbert_sort(indices.begin() + 1, indices.end(), Traits(positions));
-  std::vector<VertexId> order;
-  order.reserve(indices.size());
-  for (const std::size_t i : indices)
-  {
-    order.push_back(static_cast<VertexId>(i));
+    order.push_back(i + 1);
   }
   return order;
 }

@@ -153,6 +153,7 @@ GeneralComplex::InOrder(const std::vector<TetrahedronId> & order) const
     idOf[order[i]] = static_cast<TetrahedronId>(i);
   }
   GeneralComplex ordered(m_NumberOfVertices);
+  ordered.Reserve(order.size());
   for (const TetrahedronId id : order)
   {
     ordered.m_Tetrahedra.push_back(m_Tetrahedra[id]);

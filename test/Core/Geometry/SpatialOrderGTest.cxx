@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <numeric>
 
 using namespace tissue;
@@ -86,6 +87,26 @@ TEST(SpatialOrder, TurnsWithThePositions)
     p = { { 5.0 - 2.0 * (0.6 * p[0] - 0.8 * p[1]), 2.0 * (0.8 * p[0] + 0.6 * p[1]), 2.0 * p[2] - 1.0 } };
   }
   EXPECT_EQ(SpatialOrder(turned), SpatialOrder(centers));
+}
+
+TEST(SpatialOrder, OrdersPointsOfAGridThatCoincideInCoordinates)
+{
+  constexpr int      n = 16;
+  std::vector<Point> points;
+  for (int i = 0; i < n * n * n; ++i)
+  {
+    points.push_back(
+      { { static_cast<double>(i % n), static_cast<double>(i / n % n), static_cast<double>(i / n / n) } });
+  }
+  const std::vector<std::int32_t> order = HilbertOrder(points);
+  ASSERT_EQ(order.size(), points.size());
+  EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), points.size());
+  double length = 0.0;
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    length += Distance(points[order[i - 1]], points[order[i]]);
+  }
+  EXPECT_LT(length, 1.5 * static_cast<double>(points.size()));
 }
 
 TEST(SpatialOrder, RanksAreItsInverse)
