@@ -76,19 +76,62 @@ ChooseWalls(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, 
   return walls;
 }
 
-/** Moves each point within the walls to the mean of its neighbours, in RoundsPerSmoothing rounds. */
+/** Marks the points of triangles that cross, and those within so many edges of them. */
+std::vector<unsigned char>
+PointsNear(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, int rings)
+{
+  std::vector<unsigned char> isNear(mesh.points.size(), 0);
+  const auto                 mark = [&](const Triangle & t) {
+    for (const PointId p : t)
+    {
+      isNear[p] = 1;
+    }
+  };
+  for (const TrianglePair & pair : crossings)
+  {
+    mark(mesh.triangles[pair[0]]);
+    mark(mesh.triangles[pair[1]]);
+  }
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<unsigned char> before = isNear;
+    for (const Triangle & t : mesh.triangles)
+    {
+      if (before[t[0]] + before[t[1]] + before[t[2]] > 0)
+      {
+        mark(t);
+      }
+    }
+  }
+  return isNear;
+}
+
+/** Moves each of these points that is within one of the walls to the mean of its neighbours, in RoundsPerSmoothing
+ * rounds. */
 void
-SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
+SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls, const std::vector<unsigned char> & isMoved)
 {
   const std::vector<std::size_t> first = FirstTrianglesOfWalls(mesh);
   for (const WallId wall : walls)
   {
-    const WallPiece piece = CutOutWall(mesh, first[wall], first[wall + 1]);
-    WallPatch       patch = MakePatch(mesh, piece);
+    const WallPiece      piece = CutOutWall(mesh, first[wall], first[wall + 1]);
+    WallPatch            patch = MakePatch(mesh, piece);
+    std::vector<PointId> pointAt(static_cast<std::size_t>(patch.EndOfVertices()));
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        pointAt[piece.triangles[t][i]] = mesh.triangles[first[wall] + t][i];
+      }
+    }
     for (int round = 0; round < RoundsPerSmoothing; ++round)
     {
       for (WallPatch::Vertex v = patch.OutlineSize(); v < patch.EndOfVertices(); ++v)
       {
+        if (isMoved[pointAt[v]] == 0)
+        {
+          continue;
+        }
         Point sum{ { 0.0, 0.0, 0.0 } };
         int   count = 0;
         patch.ForEachAround(v, [&](WallPatch::HalfEdge h) {
@@ -98,26 +141,28 @@ SmoothWithin(WallMesh & mesh, const std::vector<WallId> & walls)
         patch.SetPoint(v, (1.0 / count) * sum);
       }
     }
-    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    for (WallPatch::Vertex v = patch.OutlineSize(); v < patch.EndOfVertices(); ++v)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        mesh.points[mesh.triangles[first[wall] + t][i]] = patch.PointAt(piece.triangles[t][i]);
-      }
+      mesh.points[pointAt[v]] = patch.PointAt(v);
     }
   }
 }
 } // namespace
 
 std::int64_t
-MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution)
+MendCrossingWalls(WallMesh & mesh, const WallMesh & old, SmoothedPoints smoothed, const Execution & execution)
 {
   // Each time at least one wall of every crossing pair changes, so whatever crosses after it has a changed wall.
-  std::vector<WallId> walls = ChooseWalls(mesh, FindCrossings(mesh, execution), {});
+  std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);
+  std::vector<WallId>       walls = ChooseWalls(mesh, crossings, {});
   for (int i = 0; i < MostSmoothings && !walls.empty(); ++i)
   {
-    SmoothWithin(mesh, walls);
-    walls = ChooseWalls(mesh, FindCrossingsOfWalls(mesh, walls, execution), {});
+    SmoothWithin(mesh,
+                 walls,
+                 smoothed == SmoothedPoints::WholeWalls ? std::vector<unsigned char>(mesh.points.size(), 1)
+                                                        : PointsNear(mesh, crossings, i));
+    crossings = FindCrossingsOfWalls(mesh, walls, execution);
+    walls = ChooseWalls(mesh, crossings, {});
   }
   std::set<WallId> putBack;
   while (!walls.empty())

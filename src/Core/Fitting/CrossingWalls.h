@@ -12,6 +12,15 @@
 
 namespace tissue
 {
+/** Which points of walls that cross are smoothed. */
+enum class SmoothedPoints
+{
+  /** All within the walls: where these are far from the image anyway, as those of stars. */
+  WholeWalls,
+  /** Those of the triangles that cross, next those around them, too: what is near to the image stays there. */
+  AroundCrossings
+};
+
 /** \brief Frees a mesh of the crossings that remeshing made.
  *
  * Of walls that cross, as few as part all pairs are smoothed, which unfolds a wall; a wall may also cross itself. Those
@@ -21,7 +30,8 @@ namespace tissue
  *
  * \return the number of walls that are as in `old` again. */
 std::int64_t
-MendCrossingWalls(WallMesh & mesh, const WallMesh & old, const Execution & execution = Execution());
+MendCrossingWalls(WallMesh & mesh, const WallMesh & old, SmoothedPoints smoothed,
+                  const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

@@ -321,7 +321,7 @@ private:
     const std::vector<double> lengths = RemeshToNumberOfTriangles(mesh, wanted, factors, m_Execution);
     SubdivideLines(star, lengths);
     SubdivideWalls(star, lengths, m_Execution);
-    statistics.starWalls = MendCrossingWalls(mesh, star, m_Execution);
+    statistics.starWalls = MendCrossingWalls(mesh, star, SmoothedPoints::WholeWalls, m_Execution);
     // Stars whose lines have got points may cross others again.
     if (statistics.starWalls > 0)
     {
@@ -343,7 +343,7 @@ private:
     }
     area = ComputeArea(mesh);
     RemeshWalls(mesh, lengths, m_Execution);
-    MendCrossingWalls(mesh, old, m_Execution);
+    MendCrossingWalls(mesh, old, SmoothedPoints::AroundCrossings, m_Execution);
   }
 
   const TissueImage & m_Tissue;

@@ -7,6 +7,7 @@
 #include "Fitting/CrossingGuard.h"
 #include "Fitting/CrossingWalls.h"
 #include "Mesh/Crossings.h"
+#include "Remeshing/WallRemeshing.h"
 #include "TestWallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(CrossingWalls, SmoothingUnfoldsAWall)
   const WallMesh old = PyramidAndTriangle(-1.0, 0.5);
   WallMesh       mesh = PyramidAndTriangle(1.3, 0.5);
   ASSERT_FALSE(FindCrossings(mesh).empty());
-  EXPECT_EQ(MendCrossingWalls(mesh, old), 0);
+  EXPECT_EQ(MendCrossingWalls(mesh, old, SmoothedPoints::WholeWalls), 0);
   EXPECT_TRUE(FindCrossings(mesh).empty());
   EXPECT_EQ(mesh.points[7], (Point{ { 0, 0, 0 } })) << "the mean of its neighbours";
 }
@@ -54,15 +55,36 @@ TEST(CrossingWalls, WallsThatStillCrossGoBack)
   WallMesh       mesh = PyramidAndTriangle(0.5, -0.5);
   ASSERT_TRUE(FindCrossings(old).empty());
   ASSERT_FALSE(FindCrossings(mesh).empty());
-  EXPECT_EQ(MendCrossingWalls(mesh, old), 1);
+  EXPECT_EQ(MendCrossingWalls(mesh, old, SmoothedPoints::WholeWalls), 1);
   EXPECT_EQ(mesh.points, old.points);
   EXPECT_EQ(mesh.triangles, old.triangles);
+}
+
+TEST(CrossingWalls, SmoothingAroundCrossingsLeavesTheRestOfAWall)
+{
+  WallMesh before = PyramidAndTriangle(2.0, 0.7);
+  SubdivideWalls(before, { 0.5, 10.0 });
+  const auto countMoved = [&](SmoothedPoints smoothed) {
+    WallMesh mesh = before;
+    EXPECT_EQ(MendCrossingWalls(mesh, PyramidAndTriangle(-1.0, 0.7), smoothed), 0);
+    EXPECT_TRUE(FindCrossings(mesh).empty());
+    int moved = 0;
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      moved += mesh.points[p] == before.points[p] ? 0 : 1;
+    }
+    return moved;
+  };
+  ASSERT_FALSE(FindCrossings(before).empty());
+  const int around = countMoved(SmoothedPoints::AroundCrossings);
+  EXPECT_GT(around, 0);
+  EXPECT_LT(2 * around, countMoved(SmoothedPoints::WholeWalls));
 }
 
 TEST(CrossingWalls, AMeshWithoutCrossingsStays)
 {
   const WallMesh before = FourCells();
   WallMesh       mesh = before;
-  EXPECT_EQ(MendCrossingWalls(mesh, before), 0);
+  EXPECT_EQ(MendCrossingWalls(mesh, before, SmoothedPoints::WholeWalls), 0);
   EXPECT_EQ(mesh.points, before.points);
 }
