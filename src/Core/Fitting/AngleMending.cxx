@@ -8,12 +8,15 @@
 
 #include "Common/Algorithms.h"
 #include "Fitting/LoosePoints.h"
+#include "Mesh/Crossings.h"
 #include "Mesh/WallMeshOrder.h"
 #include "TissueTessellationCore/Geometry/Vector.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace tissue
@@ -69,8 +72,8 @@ public:
     }
   }
 
-  /** Triangles and points that are gone. */
-  void
+  /** Triangles and points that are gone. Returns the points that stay, by their numbers before. */
+  std::vector<PointId>
   TakeAway()
   {
     std::size_t kept = 0;
@@ -93,6 +96,7 @@ public:
       }
     }
     TakePoints(m_Mesh, order);
+    return order;
   }
 
 private:
@@ -513,21 +517,97 @@ PointsAt(const WallMesh & mesh, const std::vector<SharpPlace> & places)
   }
   return points;
 }
+
+/** A mesh that is mended, and what its points were before. */
+struct Mended
+{
+  WallMesh             mesh;
+  std::vector<PointId> pointsBefore;
+};
+
+/** Mends all places, but none of the points that are to stay. */
+Mended
+MendAllBut(const std::set<PointId> & staying, const WallMesh & before, const AngleLimits & limits, double median)
+{
+  Mended mended{ before, std::vector<PointId>(before.points.size()) };
+  std::iota(mended.pointsBefore.begin(), mended.pointsBefore.end(), PointId{ 0 });
+  std::vector<SharpPlace> places = FindSharpPlaces(mended.mesh, limits);
+  for (int round = 0; round < MaximumNumberOfRounds && !places.empty(); ++round)
+  {
+    std::set<PointId> points = PointsAt(mended.mesh, places);
+    for (auto p = points.begin(); p != points.end();)
+    {
+      p = staying.count(mended.pointsBefore[*p]) != 0 ? points.erase(p) : std::next(p);
+    }
+    const std::vector<LoosePoint> loose = CollectLoosePoints(mended.mesh, points);
+    Mending                       mending(mended.mesh, limits, median);
+    mending.MendAt(loose);
+    std::vector<PointId> kept = mending.TakeAway();
+    std::transform(kept.begin(), kept.end(), kept.begin(), [&mended](PointId p) { return mended.pointsBefore[p]; });
+    mended.pointsBefore = std::move(kept);
+    places = FindSharpPlaces(mended.mesh, limits);
+  }
+  return mended;
+}
+
+/** The points of triangles that cross, by their numbers before. */
+std::set<PointId>
+PointsOf(const Mended & mended, const std::vector<TrianglePair> & crossings)
+{
+  std::set<PointId> points;
+  for (const TrianglePair & pair : crossings)
+  {
+    for (const std::int32_t t : pair)
+    {
+      for (const PointId p : mended.mesh.triangles[t])
+      {
+        points.insert(mended.pointsBefore[p]);
+      }
+    }
+  }
+  return points;
+}
+
+/** Adds some points and their neighbours, one of which may have been joined with them. */
+void
+AddPointsAround(const WallMesh & mesh, const std::set<PointId> & points, std::set<PointId> & added)
+{
+  for (const Triangle & t : mesh.triangles)
+  {
+    if (std::any_of(t.begin(), t.end(), [&points](PointId p) { return points.count(p) != 0; }))
+    {
+      added.insert(t.begin(), t.end());
+    }
+  }
+}
 } // namespace
 
 std::int64_t
-MendAngles(WallMesh & mesh, const AngleLimits & limits)
+MendAngles(WallMesh & mesh, const AngleLimits & limits, const Execution & execution)
 {
-  const double            median = MedianEdgeLength(mesh);
-  std::vector<SharpPlace> places = FindSharpPlaces(mesh, limits);
-  for (int round = 0; round < MaximumNumberOfRounds && !places.empty(); ++round)
+  // What is near a point is known as it was before a round, so that two changes may meet. Points whose triangles cross
+  // in the end stay in the next try.
+  constexpr int maximumNumberOfTries = 4;
+  const double  median = MedianEdgeLength(mesh);
+  if (FindSharpPlaces(mesh, limits).empty())
   {
-    const std::vector<LoosePoint> loose = CollectLoosePoints(mesh, PointsAt(mesh, places));
-    Mending                       mending(mesh, limits, median);
-    mending.MendAt(loose);
-    mending.TakeAway();
-    places = FindSharpPlaces(mesh, limits);
+    return 0;
   }
-  return static_cast<std::int64_t>(places.size());
+  const WallMesh    before = mesh;
+  const std::size_t crossingsBefore = FindCrossings(before, execution).size();
+  std::size_t       least = std::numeric_limits<std::size_t>::max();
+  std::set<PointId> staying;
+  for (int i = 0; i < maximumNumberOfTries && least > crossingsBefore; ++i)
+  {
+    Mended                          mended = MendAllBut(staying, before, limits, median);
+    const std::vector<TrianglePair> crossings = FindCrossings(mended.mesh, execution);
+    AddPointsAround(before, PointsOf(mended, crossings), staying);
+    if (crossings.size() < least)
+    {
+      least = crossings.size();
+      mesh = std::move(mended.mesh);
+    }
+  }
+  return static_cast<std::int64_t>(FindSharpPlaces(mesh, limits).size());
 }
 } // namespace tissue

@@ -7,6 +7,7 @@
 #ifndef TissueTessellationCore_AngleMending_h
 #define TissueTessellationCore_AngleMending_h
 
+#include "TissueTessellationCore/Common/Execution.h"
 #include "TissueTessellationCore/Mesh/WallAngles.h"
 
 namespace tissue
@@ -21,7 +22,7 @@ namespace tissue
  *
  * Returns the number of places that are still sharper. Points keep their order; some may be gone. */
 std::int64_t
-MendAngles(WallMesh & mesh, const AngleLimits & limits);
+MendAngles(WallMesh & mesh, const AngleLimits & limits, const Execution & execution = Execution());
 } // namespace tissue
 
 #endif

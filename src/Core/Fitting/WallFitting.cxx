@@ -148,7 +148,7 @@ public:
         m_Execution.Report(begin + share * (round + 1) / MostRounds[meshing]);
       }
     }
-    MendAngles(mesh, AngleLimits());
+    MendAngles(mesh, AngleLimits(), m_Execution);
     for (int step = 0; step < LastVolumeSteps && !this->HasItsVolumes(mesh); ++step)
     {
       this->VolumeStep(mesh, LastVolumeShare, Guarded);
