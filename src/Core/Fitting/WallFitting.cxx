@@ -43,7 +43,7 @@ constexpr int UntanglingSweeps = 60;
 constexpr double MostShareCrossing = 0.005;
 /** The crossing pairs for each triangle of the first star above which the image is one of noise, and nothing is tried.
  * Stars of tissues have a quarter or less. */
-constexpr double CrossingsOfNoise = 3.0;
+constexpr double CrossingsOfNoise = 1.0;
 /** The most triangles for each face of the image's voxels. More would tell nothing, and cells of few voxels would be
  * crowded with them. */
 constexpr double TrianglesPerFace = 4.0;

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -76,6 +77,9 @@ MakeStarWalls(const DualMesh & dual, const ReconstructionParameters & parameters
 
 /** The fewest voxels of a cell, on average, for which walls can be fitted: those of a cube of two a side. */
 constexpr double FewestVoxelsToFit = 8.0;
+/** The most triangles of stars for each face of voxels in walls. More are those of noise; they cross so often that even
+ * to count how often takes long. */
+constexpr double MostStarTrianglesPerFace = 1.5;
 /** The most triangles of walls that are not fitted, in all and for each cell: those of all images but large ones. */
 constexpr std::int64_t MostEmbeddedTriangles = 1000000;
 constexpr std::int64_t MostEmbeddedTrianglesPerCell = 500;
@@ -119,23 +123,22 @@ AddInvertedCells(const WallMesh & walls, std::size_t numberOfCells, std::vector<
   std::sort(cells.begin(), cells.end());
 }
 
-/** The cells of an image of specks, those that are too small for fitted walls; none of any other. */
-std::vector<VertexId>
-FindSpecks(const std::vector<Cell> & cells)
+/** Whether the stars of the walls would have more triangles than the image can tell of. */
+bool
+IsNoise(const TissueComplex & complex, const std::vector<Wall> & walls)
 {
-  std::int64_t          numberOfVoxels = 0;
-  std::vector<VertexId> specks;
-  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  double triangles = 0.0;
+  for (const DualMesh::Wall & wall : complex.dual.mesh.walls)
   {
-    numberOfVoxels += cells[v].numberOfVoxels;
-    if (static_cast<double>(cells[v].numberOfVoxels) < FewestVoxelsToFit)
-    {
-      specks.push_back(static_cast<VertexId>(v));
-    }
+    const bool isWithin = complex.cellOf[wall.cells[0]] == complex.cellOf[wall.cells[1]];
+    triangles += isWithin ? 0.0 : static_cast<double>(wall.corners.size());
   }
-  const bool isOfSpecks =
-    static_cast<double>(numberOfVoxels) < FewestVoxelsToFit * static_cast<double>(cells.size() - 1);
-  return isOfSpecks ? specks : std::vector<VertexId>();
+  double faces = 0.0;
+  for (const Wall & wall : walls)
+  {
+    faces += static_cast<double>(wall.numberOfFaces);
+  }
+  return triangles > MostStarTrianglesPerFace * faces;
 }
 
 /** Takes the walls of the voxels, as those of some cells cannot be fitted. Returns what touches what in them. */
@@ -168,6 +171,11 @@ MakeWallsOfImage(TissueComplex & complex, const TissueCells & cells, const Label
                         CountEmbeddedTriangles(VolumeOf(complex, volume), complex.cellOf) <=
                           MostEmbeddedTriangles + MostEmbeddedTrianglesPerCell * static_cast<std::int64_t>(all.size());
   std::vector<VertexId> notFitted = mayEmbed ? FindSpecks(all) : std::vector<VertexId>();
+  if (mayEmbed && IsNoise(complex, cells.junctions.walls))
+  {
+    notFitted.resize(all.size() - 1);
+    std::iota(notFitted.begin(), notFitted.end(), ExteriorVertex + 1);
+  }
   if (notFitted.empty())
   {
     result.walls = MakeFittedWalls(complex, cells, volume, parameters, result.fitting, execution);
@@ -298,6 +306,24 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
   return remarks;
 }
 } // namespace
+
+std::vector<VertexId>
+FindSpecks(const std::vector<Cell> & cells)
+{
+  std::int64_t          numberOfVoxels = 0;
+  std::vector<VertexId> specks;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    numberOfVoxels += cells[v].numberOfVoxels;
+    if (static_cast<double>(cells[v].numberOfVoxels) < FewestVoxelsToFit)
+    {
+      specks.push_back(static_cast<VertexId>(v));
+    }
+  }
+  const bool isOfSpecks =
+    static_cast<double>(numberOfVoxels) < FewestVoxelsToFit * static_cast<double>(cells.size() - 1);
+  return isOfSpecks ? specks : std::vector<VertexId>();
+}
 
 ReconstructionStage
 MakeStage(const std::string & name, double seconds, const std::vector<VertexQuadruple> & tetrahedra,
