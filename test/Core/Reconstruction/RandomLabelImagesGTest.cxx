@@ -26,7 +26,7 @@ std::uint64_t
 NumberOfImages()
 {
   const char * const text = std::getenv("TISSUE_RANDOM_IMAGES");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : 96;
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : 64;
 }
 
 ReconstructionParameters
