@@ -70,6 +70,11 @@ AddInputOptions(CLI::App & app, bool hasLabels, NucleiTessellationOptions & opti
   app.add_option("--box", options.centers.box, "Image that fills the box that the points were seen in; not read")
     ->type_name("FILE")
     ->group(group);
+  app
+    .add_flag("--dropOutliers",
+              options.centers.dropsOutliers,
+              "Leave out points whose fourth nearest is over ten times as far as of most; they are named")
+    ->group(group);
   app.add_option("--voxelsPerCell", options.centers.voxelsPerCell, "Of the label image that is made of the points")
     ->check(InRange(50.0, 1e6))
     ->capture_default_str()
@@ -225,6 +230,7 @@ ToJson(const NucleiTessellationOptions & options)
   {
     json["frame"] = centers.points.frame;
   }
+  json["dropOutliers"] = centers.dropsOutliers;
   json["voxelsPerCell"] = centers.voxelsPerCell;
   json["layer"] = centers.layer;
   json["evaluateAgainst"] = options.evaluation.against;

@@ -37,6 +37,8 @@ struct CenterOptions
   DetectionOptions detection;
   /** Of the label image made of the points; 50 .. 1e6. */
   double voxelsPerCell = 4000.0;
+  /** Whether points far from all others are left out. */
+  bool dropsOutliers = false;
   /** Whether the tissue is one layer of cells: auto, on or off. */
   std::string layer = "auto";
 

@@ -15,12 +15,14 @@
 #include "Shared/Reconstruction/LabelImageInput.h"
 #include "Shared/Reconstruction/MembraneInput.h"
 #include "TissueTessellationCore/Points/PointJunctions.h"
+#include "TissueTessellationCore/Points/PointTissue.h"
 #include "itkPointSetToTissueLabelImageFilter.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace tissue
@@ -36,6 +38,8 @@ struct LabelledPoints
   std::vector<Point> points;
   std::vector<Label> labels;
   Label              exteriorLabel = 0;
+  /** Of each point where it is in its file; empty where it is from an image. */
+  std::vector<std::string> places;
   /** Of the labels, and of the coordinates, where the file has them. */
   std::map<Label, std::string> names;
   std::string                  unit;
@@ -86,6 +90,7 @@ ReadPoints(const std::string & path, const PointFileOptions & options)
   {
     result.points.push_back(file.points[i]);
     result.labels.push_back(label);
+    result.places.push_back(file.places[i]);
     if (!file.names.empty())
     {
       result.names.emplace(label, file.names[i]);
@@ -183,6 +188,75 @@ ReadCells(const CenterOptions & options, ProgressBar & progress)
   }
   RequireImageOrPoints(options.file);
   return FindNuclei(options, progress);
+}
+
+/** What to call a point: its place in its file, or its label, and where it is. */
+std::string
+NamePoint(const LabelledPoints & points, std::size_t i)
+{
+  std::ostringstream text;
+  const Point &      p = points.points[i];
+  text << (points.places.empty() ? "point " + std::to_string(points.labels[i]) : points.places[i]) << " at (" << p[0]
+       << ", " << p[1] << ", " << p[2] << ')';
+  return text.str();
+}
+
+/** Leaves out the points that are far from all others, or warns of them; both name them. */
+void
+JudgeOutliers(bool dropsThem, LabelledPoints & points)
+{
+  constexpr std::size_t          mostNamed = 5;
+  const std::vector<std::size_t> outliers = FindOutliers(points.points);
+  if (outliers.empty())
+  {
+    return;
+  }
+  std::string text = std::to_string(outliers.size()) + (outliers.size() == 1 ? " point is" : " points are") +
+                     " far from all others" + (dropsThem ? " and left out: " : ": ");
+  for (std::size_t i = 0; i < std::min(mostNamed, outliers.size()); ++i)
+  {
+    text += (i > 0 ? ", " : "") + NamePoint(points, outliers[i]);
+  }
+  points.warnings.push_back(text + (outliers.size() > mostNamed ? ", ..." : "") +
+                            (dropsThem ? "" : "; --dropOutliers leaves such out"));
+  const auto dropFrom = [&outliers](auto & list) {
+    for (auto i = outliers.rbegin(); !list.empty() && i != outliers.rend(); ++i)
+    {
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(*i));
+    }
+  };
+  if (dropsThem)
+  {
+    for (const std::size_t i : outliers)
+    {
+      points.names.erase(points.labels[i]);
+    }
+    dropFrom(points.points);
+    dropFrom(points.labels);
+    dropFrom(points.places);
+  }
+}
+
+/** Says of a refusal which points are far from all others, where that may be its cause. */
+template <typename TWork>
+auto
+WithOutliers(const LabelledPoints & points, const TWork & work) -> decltype(work())
+{
+  try
+  {
+    return work();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    const std::vector<std::size_t> outliers = FindOutliers(points.points);
+    if (outliers.empty())
+    {
+      throw;
+    }
+    throw std::runtime_error(ToMessage(error) + "; far from all others is " + NamePoint(points, outliers.front()) +
+                             (outliers.size() > 1 ? " and " + std::to_string(outliers.size() - 1) + " more" : "") +
+                             ": --dropOutliers leaves such points out");
+  }
 }
 
 /** The label image of a tissue, and how sure it is which of its cells meet. */
@@ -304,7 +378,8 @@ TissueInput
 ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progress)
 {
   return WithFileName(options.centers.Source(), [&] {
-    const LabelledPoints points = ReadCells(options.centers, progress);
+    LabelledPoints points = ReadCells(options.centers, progress);
+    JudgeOutliers(options.centers.dropsOutliers, points);
     if (options.evaluation.byLabel && !points.names.empty())
     {
       throw std::runtime_error("--evaluateByLabel needs labels that are numbers: here they are names");
@@ -320,7 +395,7 @@ ReadPointTissue(const NucleiTessellationOptions & options, ProgressBar & progres
     input.seconds = points.seconds;
     if (options.method.preset != "paper" || !options.membrane.file.empty())
     {
-      return MakeTissue(points, options, std::move(input), progress);
+      return WithOutliers(points, [&] { return MakeTissue(points, options, std::move(input), progress); });
     }
     Append(FindUnused(options), input.warnings);
     input.extracted.exteriorLabel = points.exteriorLabel;

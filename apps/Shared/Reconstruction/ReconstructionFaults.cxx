@@ -17,12 +17,12 @@ namespace tissue
 namespace
 {
 /** The remarks from the gravest on; those that are not here are no faults of the mesh. */
-constexpr Remark ByGravity[] = { Remark::Missing,          Remark::NoClosedSphere,  Remark::VolumeOff,
-                                 Remark::VolumeNotFitted,  Remark::ExteriorLost,    Remark::WallsLost,
-                                 Remark::SuspectLarge,     Remark::SuspectPocket,   Remark::SuspectPieces,
-                                 Remark::HandlesKept,      Remark::FragmentDropped, Remark::Sharp,
-                                 Remark::WallsGained,      Remark::ExteriorGained,  Remark::Repaired,
-                                 Remark::CornersNotFitted, Remark::HandlesCut,      Remark::SeveralPieces };
+constexpr Remark ByGravity[] = {
+  Remark::Missing,      Remark::NoClosedSphere,   Remark::VolumeOff,    Remark::VolumeNotFitted, Remark::VoxelWalls,
+  Remark::ExteriorLost, Remark::WallsLost,        Remark::SuspectLarge, Remark::SuspectPocket,   Remark::SuspectPieces,
+  Remark::HandlesKept,  Remark::FragmentDropped,  Remark::Sharp,        Remark::WallsGained,     Remark::ExteriorGained,
+  Remark::Repaired,     Remark::CornersNotFitted, Remark::HandlesCut,   Remark::SeveralPieces
+};
 
 double
 Badness(const CellRemark & remark)
@@ -88,6 +88,12 @@ CollectFaults(const ReconstructionReport & report)
   if (crossingPairs > 0)
   {
     faults.push_back(std::to_string(crossingPairs) + " pairs of triangles of the mesh cross");
+  }
+  std::vector<VertexId> notFitted = report.GetReconstruction().fitting.cellsNotFitted;
+  notFitted.erase(std::unique(notFitted.begin(), notFitted.end()), notFitted.end());
+  if (report.GetReconstruction().fitting.isEmbedded)
+  {
+    addCells(notFitted, "could not be fitted to the image, so that all walls are those of its voxels, and rough");
   }
   const auto volumes = MeasureVolumeErrors(report);
   if (volumes && !volumes->aboveFivePercent.empty())

@@ -135,6 +135,7 @@ MeshToJson(const ReconstructionReport & report)
            { "cornersNotFitted", reconstruction.fitting.unfittedCorners },
            { "untangledPairs", reconstruction.fitting.untangledPairs },
            { "crossingPairs", reconstruction.fitting.crossingPairs },
+           { "isEmbedded", reconstruction.fitting.isEmbedded },
            { "starWalls", reconstruction.fitting.starWalls },
            { "meanVolumeError", volumes ? Json(volumes->mean) : Json() },
            { "cellsAboveOnePercent", volumes ? Json(volumes->numberAboveOnePercent) : Json() },

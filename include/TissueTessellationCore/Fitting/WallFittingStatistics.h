@@ -29,6 +29,11 @@ struct WallFittingStatistics
   std::int64_t crossingPairs = 0;
   /** The number of walls that stay a subdivided star or outline at first, as they would cross others if remeshed. */
   std::int64_t starWalls = 0;
+  /** Whether the walls are those of the voxels (EmbeddedWalls.h), as fitted ones crossed or turned cells inside out. */
+  bool isEmbedded = false;
+  /** The cells with crossing triangles, ascending, one for each pair of these; where the walls are those of the voxels,
+   * the cells for which they are: so with fitted walls, or inside out. */
+  std::vector<VertexId> cellsNotFitted;
   /** The places of the mesh that are sharper than AngleLimits and could not be mended. */
   std::vector<SharpPlace> sharpPlaces;
 };

@@ -27,6 +27,13 @@ PaddedBox(const std::vector<Point> & points);
 TissueGrid
 MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell);
 
+/** \brief Finds the points that are far from all others, ascending: slips and dust, as a rule.
+ *
+ * A point is far where its fourth nearest, or the farthest of fewer, is at more than ten times the median of that
+ * distance over all points; so are those of groups of up to four. Larger groups are parts of the tissue. */
+std::vector<std::size_t>
+FindOutliers(const std::vector<Point> & points);
+
 /** The tissue that is estimated from the centres of its cells. */
 struct PointTissue
 {

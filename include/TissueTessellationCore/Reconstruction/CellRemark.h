@@ -73,6 +73,9 @@ enum class Remark
   /** The cell's volume in a mesh that is fitted to the image is more than 1 % off, as its walls would cross others.
    * Value: as of VolumeOff. */
   VolumeNotFitted,
+  /** The walls of the mesh are those of the voxels, rough, as fitted ones of this cell crossed others or turned it
+   * inside out. Value: the number of such places. */
+  VoxelWalls,
   /** Places of the cell's walls are sharper than AngleLimits and could not be mended: small angles of triangles or
    * between them, or short edges. Value: their number. */
   Sharp,

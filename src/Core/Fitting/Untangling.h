@@ -27,7 +27,7 @@ IsHopeless(std::int64_t crossingPairs, const WallMesh & mesh);
  * neighbours' mean and some at random, each point takes the one where its triangles cross the fewest others.
  *
  * It is meant for a mesh of few crossings, such as a fitted star; where that IsHopeless() the mesh stays as it is. The
- * result is deterministic. After `maximumSweeps`, or after looking at 200 million pairs of triangles and 20 000 for
+ * result is deterministic. After `maximumSweeps`, or after looking at 16 million pairs of triangles, or 2000 for
  * each triangle of the mesh, no pairs cross, except in hopeless cases. */
 UntanglingCounts
 Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution = Execution());

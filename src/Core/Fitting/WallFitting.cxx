@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "Fitting/WallFitting.h"
 
+#include "Common/Algorithms.h"
 #include "Fitting/AngleMending.h"
 #include "Fitting/CavityVolumes.h"
 #include "Fitting/CornerFitting.h"
@@ -37,6 +38,15 @@ namespace
 /** The most sweeps of the untangling. Real and synthetic stars are free of crossings after far fewer; what is left then
  * stays, and is reported. */
 constexpr int UntanglingSweeps = 60;
+/** The share of a star's triangles that may cross after the untangling for it to be fitted: what is left after that is
+ * mostly for good, and remeshing such a star takes long. */
+constexpr double MostShareCrossing = 0.005;
+/** The crossing pairs for each triangle of the first star above which the image is one of noise, and nothing is tried.
+ * Stars of tissues have a quarter or less. */
+constexpr double CrossingsOfNoise = 1.0;
+/** The most triangles for each face of the image's voxels. More would tell nothing, and cells of few voxels would be
+ * crowded with them. */
+constexpr double TrianglesPerFace = 4.0;
 /** The largest change of a cell's volume in one step, over the wanted volume: the step is exact to first order only.
  * At the end nothing follows that draws tiny cells away from their volumes again, and few steps are to be enough. */
 constexpr double VolumeShare = 0.15;
@@ -70,6 +80,33 @@ const std::vector<double> GuardShares = { 0.3, 0.0 };
 /** The same for the centres of the walls when they are lifted to the image, where the ways are long. */
 const std::vector<double> LiftShares = { 0.5, 0.25, 0.0 };
 
+/** Whether more pairs cross than so many for each triangle of the mesh. */
+bool
+IsAbove(double crossingsPerTriangle, const WallFittingStatistics & statistics, const WallMesh & mesh)
+{
+  return static_cast<double>(statistics.crossingPairs) >
+         crossingsPerTriangle * static_cast<double>(mesh.triangles.size());
+}
+
+/** Counts the crossings, and for which cells. */
+void
+RecordCrossings(const WallMesh & mesh, const std::vector<TrianglePair> & crossings, WallFittingStatistics & statistics)
+{
+  statistics.crossingPairs = static_cast<std::int64_t>(crossings.size());
+  statistics.cellsNotFitted.clear();
+  for (const TrianglePair & pair : crossings)
+  {
+    const VertexPair &    first = mesh.walls[mesh.wallOfTriangle[pair[0]]].cells;
+    const VertexPair &    second = mesh.walls[mesh.wallOfTriangle[pair[1]]].cells;
+    std::vector<VertexId> cells{ first[0], first[1], second[0], second[1] };
+    SortUnique(cells);
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(statistics.cellsNotFitted), [](VertexId v) {
+      return v != ExteriorVertex;
+    });
+  }
+  std::sort(statistics.cellsNotFitted.begin(), statistics.cellsNotFitted.end());
+}
+
 /** \brief Makes the star of a complex's dual and fits it, and the mesh it is remeshed to, to the label image. */
 class Fitter
 {
@@ -94,6 +131,11 @@ public:
     {
       m_Pairs.push_back(wall.cells);
       wall.cells = { { m_Tissue.cellOf[wall.cells[0]], m_Tissue.cellOf[wall.cells[1]] } };
+    }
+    RecordCrossings(mesh, FindCrossings(mesh, m_Execution), statistics);
+    if (IsAbove(CrossingsOfNoise, statistics, mesh))
+    {
+      return mesh;
     }
     const double triangleArea = ComputeArea(mesh) / static_cast<double>(mesh.triangles.size());
     m_Faces = CollectWallFaces(mesh, m_Pairs, m_Tissue.vertices);
@@ -126,7 +168,8 @@ public:
     // each remeshing project the points, improve the triangles and give the cells their volumes, and take back what
     // makes triangles cross.
     constexpr int meshings = static_cast<int>(std::size(FewestRounds));
-    const double  wanted = trianglesPerCell * static_cast<double>(m_Volumes.size() - 1);
+    const double  wanted =
+      std::min(trianglesPerCell * static_cast<double>(m_Volumes.size() - 1), TrianglesPerFace * this->CountFaces());
     m_Execution.Report(StarShare);
     std::vector<double> lengths = this->RemeshStar(mesh, wanted, statistics);
     double              area = ComputeArea(mesh);
@@ -313,6 +356,17 @@ private:
     return true;
   }
 
+  double
+  CountFaces() const
+  {
+    std::ptrdiff_t count = 0;
+    for (std::size_t wall = 0; wall < m_Pairs.size(); ++wall)
+    {
+      count += m_Faces.End(wall) - m_Faces.Begin(wall);
+    }
+    return static_cast<double>(count);
+  }
+
   std::vector<double>
   RemeshStar(WallMesh & mesh, double wanted, WallFittingStatistics & statistics) const
   {
@@ -371,7 +425,7 @@ FitWallsOfComplex(ImageDual dual, const TissueImage & tissue, double trianglesPe
   Fitter   fitter(tissue, execution);
   WallMesh mesh = fitter.MakeStar(std::move(dual), s);
   execution.EnterPhase("Fitting the walls");
-  const bool isHopeless = IsHopeless(s.crossingPairs, mesh);
+  const bool isHopeless = IsAbove(MostShareCrossing, s, mesh);
   const bool isRemeshed = trianglesPerCell > 0.0 && !isHopeless;
   if (isRemeshed)
   {
@@ -393,12 +447,16 @@ FitWalls(ImageDual dual, const TissueImage & tissue, double trianglesPerCell, Wa
   WallFittingStatistics   own;
   WallFittingStatistics & s = statistics != nullptr ? *statistics : own;
   auto [mesh, isRemeshed] = FitWallsOfComplex(std::move(dual), tissue, trianglesPerCell, s, execution);
+  const bool isOfNoise = IsAbove(CrossingsOfNoise, s, mesh);
   JoinWalls(mesh);
   if (isRemeshed)
   {
     s.sharpPlaces = FindSharpPlaces(mesh, AngleLimits());
   }
-  s.crossingPairs = static_cast<std::int64_t>(FindCrossings(mesh, execution).size());
+  if (!isOfNoise)
+  {
+    RecordCrossings(mesh, FindCrossings(mesh, execution), s);
+  }
   return std::move(mesh);
 }
 } // namespace tissue

@@ -288,8 +288,11 @@ FindImageTopology(const LabelVolume & volume, VertexId numberOfVertices, const I
       visit(topology);
     }
     topology.repairs = Repair(topology.nerve, topology.places);
-    topology.descent = Descend(
-      topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
+    if (parameters.descends)
+    {
+      topology.descent = Descend(
+        topology.nerve.complex, topology.places, parameters.preferences, parameters.votes, execution.Part(0.75, 1.0));
+    }
     topology.unsoundCells = FindUnsoundCells(topology.nerve.complex, topology.places);
     if (topology.unsoundCells.empty() || pass + 1 == maximumNumberOfPasses ||
         !reading.DivideCells(topology.unsoundCells))

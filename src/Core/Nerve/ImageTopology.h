@@ -26,6 +26,8 @@ struct ImageTopologyParameters
   std::int64_t minimumFragmentVoxels = 4;
   /** Votes on corners, of an image that is an estimate; they decide in place of its corners (PlaceEnergy.h). */
   std::vector<JunctionVote> votes;
+  /** Whether the nerve is improved by moves; of an image of noise it is not worth the time. */
+  bool descends = true;
 };
 
 /** \brief The complex of a label image, and all that was met on the way. */

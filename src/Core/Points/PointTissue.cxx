@@ -332,6 +332,29 @@ PaddedBox(const std::vector<Point> & points)
   return box;
 }
 
+std::vector<std::size_t>
+FindOutliers(const std::vector<Point> & points)
+{
+  constexpr std::size_t neighbors = 4;
+  constexpr double      farther = 10.0;
+  std::vector<double>   distances;
+  const auto            nearest = FindNearestPoints(points, neighbors);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    distances.push_back(nearest[i].empty() ? 0.0 : Distance(points[i], points[nearest[i].back()]));
+  }
+  std::vector<std::size_t> outliers;
+  const double             most = distances.empty() ? 0.0 : farther * Median(distances);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (distances[i] > most)
+    {
+      outliers.push_back(i);
+    }
+  }
+  return outliers;
+}
+
 TissueGrid
 MakePointGrid(const std::vector<Point> & points, const Box & box, double voxelsPerCell)
 {

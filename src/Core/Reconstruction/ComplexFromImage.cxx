@@ -119,6 +119,7 @@ TakeComplexFromImage(const TissueCells & cells, const LabelVolume & volume, cons
   ImageTopologyParameters topologyParameters;
   topologyParameters.preferences = ChoosePreferences(parameters, cells.junctions);
   topologyParameters.votes = cells.junctions.votes;
+  topologyParameters.descends = FindSpecks(cells.junctions.cells).empty();
   if (!cells.junctions.votes.empty())
   {
     // Fragments of estimated cells mean nothing.

@@ -51,6 +51,11 @@ TissueComplex
 MakeComplexFromCenters(const TissueCells & cells, const ReconstructionParameters & parameters,
                        TissueReconstruction & result, const Execution & execution);
 
+/** The cells of an image of specks that are too small for fitted walls, ascending; none of an image whose cells are
+ * large enough on average. */
+std::vector<VertexId>
+FindSpecks(const std::vector<Cell> & cells);
+
 /** A stage that has these tetrahedra, and other pairs of cells beside theirs. */
 ReconstructionStage
 MakeStage(const std::string & name, double seconds, const std::vector<VertexQuadruple> & tetrahedra,

@@ -6,10 +6,12 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
+#include "Dual/EmbeddedWalls.h"
 #include "Fitting/WallFitting.h"
 #include "Geometry/SpatialOrder.h"
 #include "Mesh/Cavities.h"
 #include "Mesh/Crossings.h"
+#include "Mesh/WallMeasures.h"
 #include "Reconstruction/TissueComplex.h"
 #include "Remeshing/WallRefinement.h"
 #include "TissueTessellationCore/Common/Stopwatch.h"
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -72,8 +75,24 @@ MakeStarWalls(const DualMesh & dual, const ReconstructionParameters & parameters
   return walls;
 }
 
+/** The fewest voxels of a cell, on average, for which walls can be fitted: those of a cube of two a side. */
+constexpr double FewestVoxelsToFit = 8.0;
+/** The most triangles of stars for each face of voxels in walls. More are those of noise; they cross so often that even
+ * to count how often takes long. */
+constexpr double MostStarTrianglesPerFace = 1.5;
+/** The most triangles of walls that are not fitted, in all and for each cell: those of all images but large ones. */
+constexpr std::int64_t MostEmbeddedTriangles = 1000000;
+constexpr std::int64_t MostEmbeddedTrianglesPerCell = 500;
+
+/** The image by the vertices of the complex. */
+const LabelVolume &
+VolumeOf(const TissueComplex & complex, const LabelVolume & volume)
+{
+  return complex.volume.vertices.empty() ? volume : complex.volume;
+}
+
 WallMesh
-MakeFittedWalls(TissueComplex complex, const TissueCells & cells, const LabelVolume & volume,
+MakeFittedWalls(TissueComplex & complex, const TissueCells & cells, const LabelVolume & volume,
                 const ReconstructionParameters & parameters, WallFittingStatistics & statistics,
                 const Execution & execution)
 {
@@ -82,17 +101,97 @@ MakeFittedWalls(TissueComplex complex, const TissueCells & cells, const LabelVol
   {
     volumes.push_back(cell.volume);
   }
-  const LabelVolume & vertices = complex.volume.vertices.empty() ? volume : complex.volume;
   return FitWalls(std::move(complex.dual),
-                  { volume, vertices, complex.cellOf, volumes, cells.ranks },
+                  { volume, VolumeOf(complex, volume), complex.cellOf, volumes, cells.ranks },
                   parameters.refinement > 0 ? parameters.trianglesPerCell : 0.0,
                   &statistics,
                   execution);
 }
 
-/** Names the cells whose volume is far from that in the image. */
+/** Adds the cells that are inside out. */
 void
-RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, bool isFitted, std::vector<CellRemark> & remarks)
+AddInvertedCells(const WallMesh & walls, std::size_t numberOfCells, std::vector<VertexId> & cells)
+{
+  const std::vector<double> volumes = ComputeVolumes(walls, numberOfCells);
+  for (std::size_t v = ExteriorVertex + 1; v < numberOfCells; ++v)
+  {
+    if (!(volumes[v] > 0.0))
+    {
+      cells.push_back(static_cast<VertexId>(v));
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+}
+
+/** Whether the stars of the walls would have more triangles than the image can tell of. */
+bool
+IsNoise(const TissueComplex & complex, const std::vector<Wall> & walls)
+{
+  double triangles = 0.0;
+  for (const DualMesh::Wall & wall : complex.dual.mesh.walls)
+  {
+    const bool isWithin = complex.cellOf[wall.cells[0]] == complex.cellOf[wall.cells[1]];
+    triangles += isWithin ? 0.0 : static_cast<double>(wall.corners.size());
+  }
+  double faces = 0.0;
+  for (const Wall & wall : walls)
+  {
+    faces += static_cast<double>(wall.numberOfFaces);
+  }
+  return triangles > MostStarTrianglesPerFace * faces;
+}
+
+/** Takes the walls of the voxels, as those of some cells cannot be fitted. Returns what touches what in them. */
+AdjacencyTuples
+EmbedWalls(const TissueComplex & complex, const TissueCells & cells, const LabelVolume & volume,
+           const ReconstructionParameters & parameters, std::vector<VertexId> notFitted, TissueReconstruction & result)
+{
+  Stopwatch     stopwatch;
+  EmbeddedWalls embedded = MakeEmbeddedWalls(VolumeOf(complex, volume), complex.cellOf);
+  result.walls = std::move(embedded.mesh);
+  result.tetrahedra = std::move(embedded.tetrahedra);
+  result.fitting = WallFittingStatistics();
+  result.fitting.isEmbedded = true;
+  result.fitting.cellsNotFitted = std::move(notFitted);
+  AdjacencyTuples tuples = AdjacencyTuples::Of(result.tetrahedra, CellsOfWalls(result.walls));
+  result.stages.push_back(
+    MakeStage("embedded", stopwatch.Lap().wallSeconds, result.tetrahedra, tuples, cells, parameters));
+  return tuples;
+}
+
+/** Fits the walls to the image, or takes those of its voxels, where the complex is from the image: where fitted ones
+ * cross or turn a cell inside out, and in an image of specks. Returns what touches what. */
+AdjacencyTuples
+MakeWallsOfImage(TissueComplex & complex, const TissueCells & cells, const LabelVolume & volume,
+                 const ReconstructionParameters & parameters, TissueReconstruction & result,
+                 const Execution & execution)
+{
+  const std::vector<Cell> & all = cells.junctions.cells;
+  const bool                mayEmbed = parameters.source == ComplexSource::Image &&
+                        CountEmbeddedTriangles(VolumeOf(complex, volume), complex.cellOf) <=
+                          MostEmbeddedTriangles + MostEmbeddedTrianglesPerCell * static_cast<std::int64_t>(all.size());
+  std::vector<VertexId> notFitted = mayEmbed ? FindSpecks(all) : std::vector<VertexId>();
+  if (mayEmbed && IsNoise(complex, cells.junctions.walls))
+  {
+    notFitted.resize(all.size() - 1);
+    std::iota(notFitted.begin(), notFitted.end(), ExteriorVertex + 1);
+  }
+  if (notFitted.empty())
+  {
+    result.walls = MakeFittedWalls(complex, cells, volume, parameters, result.fitting, execution);
+    if (mayEmbed)
+    {
+      notFitted = result.fitting.cellsNotFitted;
+      AddInvertedCells(result.walls, all.size(), notFitted);
+    }
+  }
+  return notFitted.empty() ? complex.tuples
+                           : EmbedWalls(complex, cells, volume, parameters, std::move(notFitted), result);
+}
+
+/** Names the cells whose volume is far from that in the image, and those with handles that were not known of. */
+void
+RemarkSurfaces(const WallMesh & walls, const JunctionSet & junctions, bool isFitted, std::vector<CellRemark> & remarks)
 {
   constexpr double       most = 2.0;
   constexpr double       fitted = 0.01;
@@ -107,6 +206,23 @@ RemarkVolumes(const WallMesh & walls, const JunctionSet & junctions, bool isFitt
     else if (isFitted && std::abs(ratio - 1.0) > fitted)
     {
       remarks.push_back({ static_cast<VertexId>(v), Remark::VolumeNotFitted, ratio });
+    }
+  }
+  std::set<VertexId> known;
+  for (const CellRemark & remark : remarks)
+  {
+    if (remark.remark == Remark::HandlesKept)
+    {
+      known.insert(remark.cell);
+    }
+  }
+  for (const VertexId v : check.cellsThatAreNoSphere)
+  {
+    const CellSurface & surface = check.cells[v];
+    if (surface.IsClosed() && known.count(v) == 0)
+    {
+      const int handles = (2 * surface.numberOfComponents - surface.eulerCharacteristic) / 2;
+      remarks.push_back({ v, Remark::HandlesKept, static_cast<double>(handles) });
     }
   }
 }
@@ -175,17 +291,39 @@ GatherRemarks(const AdjacencyTuples & tuples, const JunctionSet & junctions, con
   remarks.insert(remarks.end(), result.remarks.begin(), result.remarks.end());
   if (hasWalls)
   {
-    RemarkVolumes(result.walls, junctions, result.isFitted, remarks);
+    RemarkSurfaces(result.walls, junctions, result.isFitted, remarks);
   }
   RemarkCounts(CellsOfCavities(result.walls), Remark::Cavities, remarks);
   RemarkCounts(result.fitting.cellsOfFilledVoids, Remark::CavitiesFilled, remarks);
   RemarkCorners(result.fitting.unfittedCornersOfCell, junctions.cells.size(), remarks);
+  if (result.fitting.isEmbedded)
+  {
+    RemarkCounts(result.fitting.cellsNotFitted, Remark::VoxelWalls, remarks);
+  }
   RemarkCounts(CellsOfSharpPlaces(result), Remark::Sharp, remarks);
   std::stable_sort(
     remarks.begin(), remarks.end(), [](const CellRemark & a, const CellRemark & b) { return a.cell < b.cell; });
   return remarks;
 }
 } // namespace
+
+std::vector<VertexId>
+FindSpecks(const std::vector<Cell> & cells)
+{
+  std::int64_t          numberOfVoxels = 0;
+  std::vector<VertexId> specks;
+  for (std::size_t v = ExteriorVertex + 1; v < cells.size(); ++v)
+  {
+    numberOfVoxels += cells[v].numberOfVoxels;
+    if (static_cast<double>(cells[v].numberOfVoxels) < FewestVoxelsToFit)
+    {
+      specks.push_back(static_cast<VertexId>(v));
+    }
+  }
+  const bool isOfSpecks =
+    static_cast<double>(numberOfVoxels) < FewestVoxelsToFit * static_cast<double>(cells.size() - 1);
+  return isOfSpecks ? specks : std::vector<VertexId>();
+}
 
 ReconstructionStage
 MakeStage(const std::string & name, double seconds, const std::vector<VertexQuadruple> & tetrahedra,
@@ -223,16 +361,16 @@ ReconstructTissue(const JunctionSet & junctions, const ReconstructionParameters 
   TissueComplex complex = isOfImage ? TakeComplexFromImage(cells, *volume, parameters, result, first)
                                     : MakeComplexFromCenters(cells, parameters, result, first);
 
-  Stopwatch             stopwatch;
-  const AdjacencyTuples tuples = complex.tuples;
+  Stopwatch       stopwatch;
+  AdjacencyTuples tuples = complex.tuples;
   result.isFitted = volume != nullptr && parameters.fitToImage;
-  result.walls =
-    result.isFitted
-      ? MakeFittedWalls(
-          std::move(complex), cells, *volume, parameters, result.fitting, execution.Part(ComplexShare, 1.0))
-      : MakeStarWalls(complex.dual.mesh, parameters);
-  if (!result.isFitted)
+  if (result.isFitted)
   {
+    tuples = MakeWallsOfImage(complex, cells, *volume, parameters, result, execution.Part(ComplexShare, 1.0));
+  }
+  else
+  {
+    result.walls = MakeStarWalls(complex.dual.mesh, parameters);
     result.fitting.crossingPairs = static_cast<std::int64_t>(FindCrossings(result.walls, execution).size());
   }
   result.remarks = GatherRemarks(tuples, junctions, result);

@@ -245,3 +245,25 @@ TEST(PointTissue, CanBeAborted)
   EXPECT_NO_THROW(EstimateTissue(Lattice(), grid, TissueLayering::Automatic, Execution({}, remember)));
   EXPECT_EQ(last, 1.0);
 }
+
+TEST(PointTissue, OutliersAreThePointsFarFromAllOthers)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 64; ++i)
+  {
+    points.push_back({ { 1.0 * (i % 4), 1.1 * (i / 4 % 4), 1.2 * (i / 16) } });
+  }
+  EXPECT_TRUE(FindOutliers(points).empty());
+  EXPECT_TRUE(FindOutliers({}).empty());
+  EXPECT_TRUE(FindOutliers({ points[0], points[1] }).empty());
+  points.insert(points.begin() + 7, { { 100.0, 0.0, 0.0 } });
+  points.push_back({ { 0.0, 200.0, 0.0 } });
+  points.push_back({ { 0.0, 201.0, 0.0 } });
+  EXPECT_EQ(FindOutliers(points), (std::vector<std::size_t>{ 7, 65, 66 }));
+  // A part of the tissue far off is none.
+  for (int i = 0; i < 8; ++i)
+  {
+    points.push_back({ { 500.0 + i % 2, 1.0 * (i / 2 % 2), 1.0 * (i / 4) } });
+  }
+  EXPECT_EQ(FindOutliers(points), (std::vector<std::size_t>{ 7, 65, 66 }));
+}

@@ -299,3 +299,34 @@ TEST(TissueReconstruction, RefusesWhatCannotBeDoneByMessage)
   parameters.trianglesPerCell = 39.0;
   EXPECT_NE(MessageOf(CellsAt(flat), parameters).find("39, must be in 40 .. 10000"), std::string::npos);
 }
+
+TEST(TissueReconstruction, OtherLabelsOfTheSameCellsMakeAMeshOfTheSameWallsAndVolumes)
+{
+  const LabelVolume  volume = VoronoiBall(20);
+  const JunctionSet  junctions = JunctionsOf(volume);
+  const auto         last = junctions.NumberOfVertices() - 1;
+  LabelVolume        shuffled = volume;
+  const auto         other = [last](VertexId v) { return v == ExteriorVertex ? v : 1 + (7 * v) % last; };
+  std::set<VertexId> all;
+  for (VertexId v = 1; v <= last; ++v)
+  {
+    all.insert(other(v));
+  }
+  ASSERT_EQ(static_cast<VertexId>(all.size()), last) << "a permutation";
+  for (std::size_t i = 0; i < volume.vertices.size(); ++i)
+  {
+    shuffled.vertices.Put(i, other(volume.vertices[i]));
+  }
+  const auto make = [](const LabelVolume & image) { return ReconstructTissue(JunctionsOf(image), Coarse(), &image); };
+  const TissueReconstruction one = make(volume);
+  const TissueReconstruction two = make(shuffled);
+  EXPECT_EQ(one.walls.points, make(volume).walls.points) << "of the same labels it is the same to the last bit";
+  EXPECT_EQ(one.walls.walls.size(), two.walls.walls.size());
+  EXPECT_EQ(one.tetrahedra.size(), two.tetrahedra.size());
+  const std::vector<double> before = ComputeVolumes(one.walls, junctions.cells.size());
+  const std::vector<double> after = ComputeVolumes(two.walls, junctions.cells.size());
+  for (VertexId v = 1; v <= last; ++v)
+  {
+    EXPECT_NEAR(after[other(v)] / before[v], 1.0, 1e-6) << v;
+  }
+}
