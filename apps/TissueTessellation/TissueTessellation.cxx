@@ -19,7 +19,7 @@ ReadInput(const TissueTessellationOptions & options, ProgressBar & progress)
   const ReconstructionParameters & parameters = options.method.parameters;
   const bool                       needsVolume =
     parameters.fitToImage || parameters.source == ComplexSource::Image || !options.projection.signals.empty();
-  const JunctionOptions junctionOptions{ options.image.exterior, needsVolume, options.image.acceptsSpecks };
+  const JunctionOptions junctionOptions{ options.image.exterior, needsVolume, options.image.acceptsSpecks, {} };
   return options.membrane.file.empty()
            ? ExtractTissue(ReadLabelImage(options.image, progress), junctionOptions, progress)
            : ReadMembranes(options.membrane, junctionOptions, progress);

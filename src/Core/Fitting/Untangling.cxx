@@ -19,10 +19,9 @@ namespace
  * would stay where no single move lowers it; with all of them points would drift. */
 constexpr double TieShare = 0.3;
 
-/** The pairs of triangles, close or not, that the search may look at, or for each triangle of the mesh if that is more. Stars
- * of tissues need up to 950 a triangle, small ones of odd shapes up to 14 million in all; one of noise, which cannot be
- * untangled, would take hours without a limit.
- */
+/** The pairs of triangles, close or not, that the search may look at, or for each triangle of the mesh if that is more.
+ * Stars of tissues need up to 950 a triangle, small ones of odd shapes up to 14 million in all; one of noise, which
+ * cannot be untangled, would take hours without a limit. */
 constexpr std::int64_t MostTests = 16000000;
 constexpr std::int64_t MostTestsPerTriangle = 2000;
 
@@ -112,8 +111,8 @@ Untangle(WallMesh & mesh, int maximumSweeps, const Execution & execution)
   constexpr int      searchesPerSweep = 3;
   const std::int64_t mostTests =
     std::max(MostTests, MostTestsPerTriangle * static_cast<std::int64_t>(mesh.triangles.size()));
-  std::int64_t       tests = 0;
-  Random             random(1);
+  std::int64_t              tests = 0;
+  Random                    random(1);
   std::vector<TrianglePair> crossings = FindCrossings(mesh, execution);
   UntanglingCounts          counts;
   counts.before = static_cast<std::int64_t>(crossings.size());

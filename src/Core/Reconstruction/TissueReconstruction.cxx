@@ -6,6 +6,7 @@
  *=========================================================================*/
 #include "TissueTessellationCore/Reconstruction/TissueReconstruction.h"
 
+#include "Common/Algorithms.h"
 #include "Dual/EmbeddedWalls.h"
 #include "Fitting/WallFitting.h"
 #include "Geometry/SpatialOrder.h"
@@ -80,6 +81,9 @@ constexpr double FewestVoxelsToFit = 8.0;
 /** The most triangles of stars for each face of voxels in walls. More are those of noise; they cross so often that even
  * to count how often takes long. */
 constexpr double MostStarTrianglesPerFace = 1.5;
+/** The share of the cells whose walls may cross, or that may be inside out, for the others to keep their fitted walls:
+ * users would rather lose a few cells of a large tissue, and be told which, than all smooth walls. */
+constexpr double MostShareNotFitted = 0.01;
 /** The most triangles of walls that are not fitted, in all and for each cell: those of all images but large ones. */
 constexpr std::int64_t MostEmbeddedTriangles = 1000000;
 constexpr std::int64_t MostEmbeddedTrianglesPerCell = 500;
@@ -160,7 +164,7 @@ EmbedWalls(const TissueComplex & complex, const TissueCells & cells, const Label
 }
 
 /** Fits the walls to the image, or takes those of its voxels, where the complex is from the image: where fitted ones
- * cross or turn a cell inside out, and in an image of specks. Returns what touches what. */
+ * cross or turn cells inside out, more than a few, and in an image of specks. Returns what touches what. */
 AdjacencyTuples
 MakeWallsOfImage(TissueComplex & complex, const TissueCells & cells, const LabelVolume & volume,
                  const ReconstructionParameters & parameters, TissueReconstruction & result,
@@ -183,6 +187,12 @@ MakeWallsOfImage(TissueComplex & complex, const TissueCells & cells, const Label
     {
       notFitted = result.fitting.cellsNotFitted;
       AddInvertedCells(result.walls, all.size(), notFitted);
+      std::vector<VertexId> cellsNotFitted = notFitted;
+      SortUnique(cellsNotFitted);
+      if (static_cast<double>(cellsNotFitted.size()) < MostShareNotFitted * static_cast<double>(all.size()))
+      {
+        notFitted.clear();
+      }
     }
   }
   return notFitted.empty() ? complex.tuples
