@@ -195,6 +195,19 @@ IsPositive(const LabelVolume & volume, const KuhnSimplex::Key & key)
   return areAxesEven == (Dot(volume.steps[0], Cross(volume.steps[1], volume.steps[2])) > 0.0);
 }
 
+/** The mean of the four voxels, as a continuous index. */
+Point
+PlaceOf(const Corner & corner)
+{
+  Point sum{ { 0.0, 0.0, 0.0 } };
+  for (const VoxelIndex & voxel : corner.GetSimplex().voxels)
+  {
+    sum =
+      sum + Point{ { static_cast<double>(voxel[0]), static_cast<double>(voxel[1]), static_cast<double>(voxel[2]) } };
+  }
+  return 0.25 * sum;
+}
+
 void
 AddCorner(const LabelVolume & volume, const Corner & corner, ImageNerve & nerve)
 {
@@ -205,13 +218,7 @@ AddCorner(const LabelVolume & volume, const Corner & corner, ImageNerve & nerve)
     std::swap(labels[2], labels[3]);
   }
   nerve.complex.Add(labels, static_cast<CornerId>(nerve.corners.size()));
-  Point sum{ { 0.0, 0.0, 0.0 } };
-  for (const VoxelIndex & voxel : simplex.voxels)
-  {
-    sum =
-      sum + Point{ { static_cast<double>(voxel[0]), static_cast<double>(voxel[1]), static_cast<double>(voxel[2]) } };
-  }
-  nerve.corners.push_back(volume.ToPhysical(0.25 * sum));
+  nerve.corners.push_back(volume.ToPhysical(PlaceOf(corner)));
 }
 
 /** Glues each line's ends, the lines in the order of their first ends. */
@@ -237,6 +244,16 @@ GlueLines(const LabelVolume & volume, const std::vector<Corner> & corners, const
       }
     }
   }
+}
+
+/** Moves and links ask for what is near a tetrahedron: where that is near in memory they take no longer for a large
+ * image than for a small one. The order is by voxels, so that it is the same for an image that is turned in space. */
+std::vector<TetrahedronId>
+OrderInImage(const std::vector<Corner> & corners)
+{
+  std::vector<Point> places(corners.size());
+  std::transform(corners.begin(), corners.end(), places.begin(), PlaceOf);
+  return HilbertOrder(places);
 }
 
 /** Corners of one task: enough that handing it out costs nothing. */
@@ -283,9 +300,7 @@ MakeImageNerve(const LabelVolume & volume, VertexId numberOfVertices, const std:
     }
   });
   GlueLines(volume, corners, ends, nerve.complex);
-  // Moves and links ask for what is near a tetrahedron: with what is near in memory they take no longer for a large
-  // image than for a small one.
-  nerve.complex = nerve.complex.InOrder(HilbertOrder(nerve.corners));
+  nerve.complex = nerve.complex.InOrder(OrderInImage(corners));
   nerve.lines.reserve(2 * corners.size());
   for (std::vector<ImageLine> & ofChunk : lines)
   {
