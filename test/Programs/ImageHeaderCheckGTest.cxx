@@ -193,6 +193,11 @@ TEST_F(ImageHeaderCheckTest, NrrdsThatPromiseWhatIsNotThere)
   ExpectRefusal("a.nrrd", Nrrd("encoding: gzip\n\n" + voxels, "2000 2000 2000"), "need at least 7751937");
   ExpectRefusal("a.nrrd", Nrrd("line skip: 1000000000000\n\n" + voxels), "it holds 0 bytes");
   ExpectRefusal("a.nrrd", Nrrd("byte skip: -2\n\n" + voxels), "byte skip = -2");
+  for (const char * field : { "space: ", "encoding: ", "space ", "endian: " })
+  {
+    ExpectRefusal("a.nrrd", Nrrd(field + std::string(600, 'x') + "\n\n" + voxels), "characters, the format takes 200");
+  }
+  EXPECT_EQ(Judge("a.nrrd", Nrrd("content: " + std::string(300000, 'x') + "\n\n" + voxels)), "");
 }
 
 TEST_F(ImageHeaderCheckTest, NiftisWhosePlacesAreNoNumbers)

@@ -13,7 +13,9 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 namespace tissue
 {
@@ -34,6 +36,29 @@ ToLower(std::string text)
   return text;
 }
 
+/** Throws where a line of a field is longer than the messages that the reader makes of it can be. */
+void
+RequireShortLine(const std::string & line, const std::string & name)
+{
+  static const std::set<std::string> texts{ "content", "labels", "units", "space units", "data file", "datafile" };
+  static const std::set<std::string> numbers{ "sizes",      "spacings", "thicknesses",      "axis mins",    "axismins",
+                                              "axis maxs",  "axismaxs", "space directions", "space origin", "kinds",
+                                              "centerings", "centers",  "measurement frame" };
+  constexpr std::size_t              longestText = 200;
+  constexpr std::size_t              longestNumbers = 2000;
+  const bool                         areNumbers = numbers.count(name) > 0;
+  const std::size_t                  longest = areNumbers ? longestNumbers : longestText;
+  const bool                         hasLongWord = areNumbers && [&line] {
+    const std::vector<std::string> words = SplitWords(line);
+    return std::any_of(words.begin(), words.end(), [](const std::string & word) { return word.size() > longestText; });
+  }();
+  if (texts.count(name) == 0 && (line.size() > longest || hasLongWord))
+  {
+    throw std::runtime_error("the header has the line '" + Shorten(line) + "' of " + std::to_string(line.size()) +
+                             " characters, the format takes " + std::to_string(longest));
+  }
+}
+
 /** Reads the fields up to the empty line or, of a list of files, up to the line that begins it. */
 Fields
 ReadFields(HeaderLines & lines)
@@ -44,11 +69,16 @@ ReadFields(HeaderLines & lines)
   while (lines.Next(line) && !line.empty())
   {
     const std::size_t colon = line.find(':');
-    if (line.front() == '#' || colon == std::string::npos || line.compare(colon, 2, ":=") == 0)
+    if (line.front() == '#' || (colon != std::string::npos && line.compare(colon, 2, ":=") == 0))
     {
       continue;
     }
     std::string name = ToLower(line.substr(0, colon));
+    RequireShortLine(line, name);
+    if (colon == std::string::npos)
+    {
+      continue;
+    }
     name = name == "datafile"   ? dataFileField
            : name == "lineskip" ? "line skip"
            : name == "byteskip" ? "byte skip"
