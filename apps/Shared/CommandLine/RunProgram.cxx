@@ -12,6 +12,7 @@
 
 #include <itkMacro.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -67,6 +68,15 @@ ReturnLargeArrays()
   mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
 #endif
 }
+/** Ends the program without the ends of libraries: HDF5 tries in vain to close what it could not read, and says so. */
+[[noreturn]] void
+EndAfterError(const std::string & name, const std::string & message, int exitCode)
+{
+  std::cout << std::flush;
+  std::fflush(stdout);
+  std::cerr << name << ": " << message << std::endl;
+  std::quick_exit(exitCode);
+}
 } // namespace
 
 int
@@ -81,18 +91,15 @@ RunProgram(const std::string & name, const std::function<void()> & work)
   catch (const StrictError & error)
   {
     constexpr int exitCode = 2;
-    std::cerr << name << ": " << error.what() << std::endl;
-    return exitCode;
+    EndAfterError(name, error.what(), exitCode);
   }
   catch (const std::exception & error)
   {
-    std::cerr << name << ": " << ToMessage(error) << std::endl;
-    return EXIT_FAILURE;
+    EndAfterError(name, ToMessage(error), EXIT_FAILURE);
   }
   catch (...)
   {
-    std::cerr << name << ": an unknown error" << std::endl;
-    return EXIT_FAILURE;
+    EndAfterError(name, "an unknown error", EXIT_FAILURE);
   }
   return EXIT_SUCCESS;
 }

@@ -12,7 +12,6 @@
 #include "itkStackImageIOFactory.h"
 
 #include <itkMetaDataObject.h>
-#include <itk_hdf5.h>
 
 #include <filesystem>
 #include <sstream>
@@ -66,8 +65,6 @@ UsesSpacingOf(const ImageOptions & options, const itk::ImageIOBase * io)
 itk::ImageIOBase::Pointer
 FindReader(const std::string & path)
 {
-  // At the end of the program HDF5 would try in vain to close what it could not read, and say so.
-  H5dont_atexit();
   itk::StackImageIOFactory::RegisterOneFactory();
   return itk::ImageIOFactory::CreateImageIO(path.c_str(), itk::ImageIOFactory::IOFileModeEnum::ReadMode);
 }
