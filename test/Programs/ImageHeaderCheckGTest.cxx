@@ -83,6 +83,9 @@ TEST_F(ImageHeaderCheckTest, MetaImagesThatBreakItsReader)
     "a.mha", Meta(local, "2000 2000 2000"), "it holds 64 bytes of voxels, those of its header need at least");
   ExpectRefusal("a.mha", Meta(local, "2147483647 2147483647 2147483647"), "more voxels than can be counted");
   ExpectRefusal("a.mha", Meta("CompressedData = True\n" + local, "2000 2000 2000"), "need at least 7751937");
+  ExpectRefusal("a.mha",
+                Meta("CompressedData = True\nCompressedDataSize = 18446744073709551615\n" + local),
+                "CompressedDataSize = ");
   ExpectRefusal("a.mha", Meta("BinaryData = False\n" + local), "need at least 127");
   ExpectRefusal("a.mha", Meta("ElementNumberOfChannels = 1000000000\n" + local), "ElementNumberOfChannels = ");
   ExpectRefusal("a.mha", Meta("HeaderSize = 1e18\n" + local), "HeaderSize = ");

@@ -130,7 +130,7 @@ TEST_F(ProgramFaultsTest, ALackOfMemoryIsALine)
 TEST_F(ProgramFaultsTest, AFolderThatVanishesOrIsReadOnly)
 {
   std::filesystem::create_directory(this->PathOf("gone"));
-  const std::string remove = "(sleep 0.1; rm -r gone) &";
+  const std::string remove = "{ (sleep 0.1; rm -r gone) & } &&";
   const int         code = this->Run("tissue.mha gone/walls.vtp", remove);
   EXPECT_EQ(code, 1) << "the program was done before its folder vanished";
   EXPECT_NE(m_Errors.find("Cannot write 'gone/walls.vtp'"), std::string::npos) << m_Errors;

@@ -134,8 +134,7 @@ RequireNumbers(const Fields & fields, std::size_t dimensions)
                                                    { "ElementMin", 1 },
                                                    { "ElementMax", 1 },
                                                    { "ElementToIntensityFunctionSlope", 1 },
-                                                   { "ElementToIntensityFunctionOffset", 1 },
-                                                   { "CompressedDataSize", 1 } };
+                                                   { "ElementToIntensityFunctionOffset", 1 } };
   // What is behind the numbers goes into an array of this length.
   constexpr std::size_t longest = 499;
   for (const auto & [name, count] : counts)
@@ -200,6 +199,16 @@ ListFiles(const std::string & path, const std::string & value, HeaderLines & lin
     files.push_back(FindVoxelFile(path, name));
   }
   return files;
+}
+/** MetaIO takes as much memory as is said, whatever there is. */
+void
+RequireCompressedSize(const Fields & fields, const std::vector<fs::path> & files)
+{
+  const auto field = fields.find("CompressedDataSize");
+  if (field != fields.end() && !files.empty())
+  {
+    ReadWholeNumbers(field->first, field->second, 1, 0, static_cast<std::int64_t>(fs::file_size(files.front())));
+  }
 }
 } // namespace
 
@@ -269,6 +278,7 @@ RequireSoundMetaImage(const std::string & path)
   {
     voxels.files = ListFiles(path, dataFile, lines);
   }
+  RequireCompressedSize(fields, voxels.files);
   RequireVoxels(voxels);
 }
 } // namespace tissue
