@@ -24,9 +24,9 @@ set(coreFolders Common Geometry Adjacency Image Complex Nerve Optimization Mesh 
 set(cgalDoors "/(Geometry/(ExactPredicates|ConvexHull|SpatialOrder)|Complex/DelaunayTetrahedralization)\\.cxx$")
 
 # What the programs share.
-set(Shared_CommandLine    "")
 set(Shared_Files          "")
-set(Shared_Images         CommandLine)
+set(Shared_CommandLine    Files)
+set(Shared_Images         Files CommandLine)
 set(Shared_Points         Images Files CommandLine)
 set(Shared_Pictures       Files)
 set(Shared_Page           Files Pictures)

@@ -174,6 +174,7 @@ ReadDataset(hid_t file, hid_t object, HDF5Dataset & dataset)
     dataset.isInMicrometers = true;
   }
   dataset.missingFilter = FindMissingFilter(object);
+  dataset.storedBytes = H5Dget_storage_size(object);
   return true;
 }
 
@@ -255,6 +256,18 @@ bool
 HDF5Dataset::IsVolume() const
 {
   return this->SizeOf('x') > 1 && this->SizeOf('y') > 1 && this->SizeOf('z') > 1;
+}
+
+bool
+HDF5Dataset::IsStored() const
+{
+  constexpr double most = 1e6;
+  double           total = static_cast<double>(bytes);
+  for (const std::size_t size : shape)
+  {
+    total *= static_cast<double>(size);
+  }
+  return total <= most * static_cast<double>(storedBytes);
 }
 
 std::string

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,13 @@ struct HDF5Dataset
   bool isInMicrometers = false;
   /** The name of a compression that this HDF5 has not; empty where it can be read. */
   std::string missingFilter;
+  /** Of the numbers in the file, compressed as they are. */
+  std::uint64_t storedBytes = 0;
+
+  /** Whether what is stored can be so many numbers: a million bytes of each stored one, as of an image that is nearly
+   * empty. */
+  bool
+  IsStored() const;
 
   /** Of x, y, z, c or t; 1 where there is no such axis. */
   std::size_t

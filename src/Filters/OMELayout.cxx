@@ -40,6 +40,7 @@ struct Document
   std::size_t        samplesOfChannel = 1;
   std::vector<Block> blocks;
   bool               isInUUID = false;
+  XML_Parser         parser = nullptr;
 };
 
 /** Without the prefix of a namespace. */
@@ -128,15 +129,24 @@ AddText(void * data, const char * text, int length)
   }
 }
 
+/** OME-XML declares none: those of a file could be many times longer than it. */
+void
+RefuseEntity(void * data, const char *, int, const char *, int, const char *, const char *, const char *, const char *)
+{
+  XML_StopParser(static_cast<Document *>(data)->parser, XML_FALSE);
+}
+
 Document
 Parse(const std::string & xml)
 {
   Document                                                                       document;
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
                                                                                         XML_ParserFree);
+  document.parser = parser.get();
   XML_SetUserData(parser.get(), &document);
   XML_SetElementHandler(parser.get(), StartElement, EndElement);
   XML_SetCharacterDataHandler(parser.get(), AddText);
+  XML_SetEntityDeclHandler(parser.get(), RefuseEntity);
   if (XML_Parse(parser.get(), xml.data(), static_cast<int>(xml.size()), 1) == XML_STATUS_ERROR)
   {
     throw std::runtime_error(std::string("the OME-XML of the TIFF file is broken: ") +

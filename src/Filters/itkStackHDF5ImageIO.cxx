@@ -169,6 +169,11 @@ StackHDF5ImageIO::ReadImageInformation()
     itkExceptionMacro("the data set " << m_Dataset->name << " is compressed by " << m_Dataset->missingFilter
                                       << ", which this HDF5 has not: gzip can be read");
   }
+  if (!m_Dataset->IsStored())
+  {
+    itkExceptionMacro("the data set " << m_Dataset->Describe() << " holds " << m_Dataset->storedBytes
+                                      << " bytes in the file, which cannot be as many voxels");
+  }
   const auto size = [this](char axis) { return static_cast<SizeValueType>(m_Dataset->SizeOf(axis)); };
   this->SetStack(
     { size('x'), size('y'), size('z') }, m_Dataset->voxelSize, m_Dataset->isInMicrometers, ToComponentType(*m_Dataset));

@@ -208,6 +208,38 @@ TEST(LabelImageToCellWallMeshFilter, CanBeAbortedInEveryPhase)
   }
 }
 
+TEST(LabelImageToCellWallMeshFilter, AnAbortAtAnyEventLeavesItUsable)
+{
+  const auto  image = MakeSyntheticTestTissue<unsigned short>();
+  const auto  whole = MakeFilter(image);
+  std::size_t numberOfEvents = 0;
+  whole->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { ++numberOfEvents; });
+  whole->Update();
+  ASSERT_GT(numberOfEvents, 10u);
+
+  const auto  filter = MakeFilter(image);
+  std::size_t stopAt = 0;
+  std::size_t event = 0;
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    if (++event == stopAt)
+    {
+      filter->AbortGenerateDataOn();
+    }
+  });
+  constexpr std::size_t numberOfStops = 12;
+  for (std::size_t stop = 0; stop < numberOfStops; ++stop)
+  {
+    event = 0;
+    stopAt = 1 + stop * (numberOfEvents - 2) / (numberOfStops - 1);
+    filter->Modified();
+    EXPECT_THROW(filter->Update(), itk::ProcessAborted) << stopAt << " of " << numberOfEvents;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfTriangles(), 0u);
+  }
+  stopAt = 0;
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetWallMesh().points, whole->GetOutput()->GetWallMesh().points);
+}
+
 TEST(LabelImageToCellWallMeshFilter, TakesTheExteriorLabelGiven)
 {
   const auto filter = MakeFilter(MakeSyntheticTestTissue<unsigned short>());

@@ -125,6 +125,9 @@ TEST(OMELayout, RefusesWhatIsBroken)
 {
   const auto words = [](const std::string & xml) { return WordsOf([&] { ReadOMELayout(xml, "a.ome.tif"); }); };
   EXPECT_NE(words("<OME><Image>").find("broken"), std::string::npos);
+  EXPECT_NE(
+    words("<!DOCTYPE OME [<!ENTITY a \"aa\"><!ENTITY b \"&a;&a;\">]><OME><Image>&b;</Image></OME>").find("broken"),
+    std::string::npos);
   EXPECT_NE(words(MakeXML("XYQQQ", "", OneBlock)).find("DimensionOrder"), std::string::npos);
   EXPECT_NE(words(MakeXML("XYZCT", "", "<TiffData FirstZ=\"3\"/>")).find("outside"), std::string::npos);
   EXPECT_EQ(ReadOMELayout("<html/>", "a.tif"), std::nullopt);

@@ -125,6 +125,15 @@ TEST_F(StackHDF5ImageIO, ReadsTheOnlyVolumeWithItsSize)
   EXPECT_TRUE(m_IO->GetIsInMicrometers());
 }
 
+TEST_F(StackHDF5ImageIO, RefusesSizesThatTheFileCannotHold)
+{
+  const Shape shape{ 2000, 2000, 2000 };
+  const hid_t space = H5Screate_simple(3, shape.data(), nullptr);
+  H5Dclose(H5Dcreate2(m_File, "label", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Sclose(space);
+  EXPECT_NE(this->Refusal().find("holds 0 bytes in the file"), std::string::npos);
+}
+
 TEST_F(StackHDF5ImageIO, TakesTheNamedSetOrTheOnlyOneOfIntegers)
 {
   this->Add("raw", { 4, 3, 5 }, H5T_IEEE_F32LE);

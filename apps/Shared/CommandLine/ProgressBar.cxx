@@ -9,9 +9,23 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 
 namespace tissue
 {
+namespace
+{
+std::mutex  lastPhaseMutex;
+std::string lastPhase;
+
+void
+SetLastPhase(const std::string & phase)
+{
+  const std::lock_guard<std::mutex> lock(lastPhaseMutex);
+  lastPhase = phase;
+}
+} // namespace
+
 ProgressStyle
 ChooseProgressStyle(const std::string & name)
 {
@@ -105,6 +119,10 @@ ProgressBar::ChangePhase(const std::string & phase)
   }
   m_Phase = phase;
   m_PhaseStart = now;
+  if (!phase.empty() || std::uncaught_exceptions() == 0)
+  {
+    SetLastPhase(phase);
+  }
   if (m_Style == ProgressStyle::Slicer && !phase.empty())
   {
     std::printf("<filter-start>\n<filter-name>%s</filter-name>\n<filter-comment>%s</filter-comment>\n</filter-start>\n",
@@ -112,6 +130,13 @@ ProgressBar::ChangePhase(const std::string & phase)
                 phase.c_str());
   }
   std::fflush(stdout);
+}
+
+std::string
+ProgressBar::GetLastPhase()
+{
+  const std::lock_guard<std::mutex> lock(lastPhaseMutex);
+  return lastPhase;
 }
 
 void

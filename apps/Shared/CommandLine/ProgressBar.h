@@ -63,6 +63,10 @@ public:
   void
   End();
 
+  /** The phase that a bar of the program is in, or was in when an exception ended it; empty between phases. */
+  static std::string
+  GetLastPhase();
+
 private:
   using Clock = std::chrono::steady_clock;
 

@@ -53,8 +53,9 @@ WithFileName(const std::string & path, const TWork & work) -> decltype(work())
   }
 }
 
-/** Does the work of a program. An error is said in one line on standard error, after the program's name. Returns the
- * exit code: 0, 1 after an error, or 2 after a StrictError. */
+/** Does the work of a program. An error is said in one line on standard error, after the program's name. Returns
+ * the exit code, 0, or ends the program by it: 1 after an error, 2 after a StrictError. Watches signals, see
+ * WatchSignals(). */
 int
 RunProgram(const std::string & name, const std::function<void()> & work);
 } // namespace tissue

@@ -58,10 +58,12 @@ ExpandPattern(const std::string & value)
 std::vector<std::string>
 ReadNames(std::istream & stream, const std::regex & key)
 {
-  std::smatch match;
+  constexpr std::size_t longestLine = 4096;
+  std::smatch           match;
   for (std::string line = ReadTrimmed(stream); stream && !line.empty(); line = ReadTrimmed(stream))
   {
-    if (!std::regex_match(line, match, key))
+    // Regular expressions recurse; no header that is read has longer names.
+    if (line.size() > longestLine || !std::regex_match(line, match, key))
     {
       continue;
     }

@@ -7,6 +7,7 @@
 #include "Shared/Files/OutputFiles.h"
 
 #include "Shared/Files/ImageDataFiles.h"
+#include "Shared/Files/TemporaryFiles.h"
 
 #include <cerrno>
 #include <cstring>
@@ -70,13 +71,6 @@ ResolveTarget(const std::string & path)
   return target;
 }
 
-void
-RemoveQuietly(const std::string & path)
-{
-  std::error_code ignored;
-  fs::remove(path, ignored);
-}
-
 /** The folder of the pieces of a file. */
 fs::path
 PiecesFolderOf(const fs::path & path)
@@ -112,16 +106,41 @@ RequirePiecesAlone(const fs::path & folder, const std::string & path)
   }
 }
 
-/** Makes an empty file, so that a reason that the folder has against it is known by the system's own word. */
-void
-CreateEmpty(const std::string & temporaryPath, const std::string & path)
+/** Makes an empty temporary file, so that a reason that the folder has against it is known by the system's own word.
+ * Returns its name. */
+std::string
+MakeTemporaryFile(const fs::path & target, const std::string & path)
 {
+  TemporaryFiles &  temporaryFiles = TemporaryFiles::GetInstance();
+  const auto        lock = temporaryFiles.Hold();
+  const std::string temporaryPath = MakeTemporaryPath(target);
+  temporaryFiles.Add(temporaryPath);
   errno = 0;
   std::ofstream file(temporaryPath, std::ios::binary);
   if (!file)
   {
-    Refuse(path, std::strerror(errno));
+    const std::string reason = std::strerror(errno);
+    temporaryFiles.Forget(temporaryPath);
+    Refuse(path, reason);
   }
+  return temporaryPath;
+}
+
+/** Makes a temporary folder beside the target. Returns its name. */
+fs::path
+MakeTemporaryFolder(const fs::path & target, const std::string & path)
+{
+  TemporaryFiles & temporaryFiles = TemporaryFiles::GetInstance();
+  const auto       lock = temporaryFiles.Hold();
+  const fs::path   temporary = MakeTemporaryPath(target);
+  temporaryFiles.Add(temporary.string());
+  std::error_code error;
+  if (!fs::create_directory(temporary, error))
+  {
+    temporaryFiles.Forget(temporary.string());
+    Refuse(path, error.message());
+  }
+  return temporary;
 }
 } // namespace
 
@@ -129,7 +148,7 @@ OutputFiles::~OutputFiles()
 {
   for (const File & file : m_Files)
   {
-    RemoveQuietly(file.temporaryPath);
+    TemporaryFiles::GetInstance().Remove(file.temporaryPath);
   }
   this->RemoveTemporaryFolders();
 }
@@ -139,8 +158,7 @@ OutputFiles::RemoveTemporaryFolders()
 {
   for (const std::string & folder : m_TemporaryFolders)
   {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
+    TemporaryFiles::GetInstance().Remove(folder);
   }
   m_TemporaryFolders.clear();
 }
@@ -148,9 +166,7 @@ OutputFiles::RemoveTemporaryFolders()
 void
 OutputFiles::RequireWritable(const std::string & path)
 {
-  const std::string temporaryPath = MakeTemporaryPath(ResolveTarget(path));
-  CreateEmpty(temporaryPath, path);
-  RemoveQuietly(temporaryPath);
+  TemporaryFiles::GetInstance().Remove(MakeTemporaryFile(ResolveTarget(path), path));
 }
 
 void
@@ -181,9 +197,8 @@ void
 OutputFiles::Add(const std::string & path, const Writer & write)
 {
   const fs::path target = ResolveTarget(path);
-  const File     file{ MakeTemporaryPath(target), target.string() };
-  this->RequireNewName(file.path, path);
-  CreateEmpty(file.temporaryPath, path);
+  this->RequireNewName(target.string(), path);
+  const File file{ MakeTemporaryFile(target, path), target.string() };
   m_Files.push_back(file);
   Write(write, file.temporaryPath, path);
 }
@@ -195,12 +210,7 @@ OutputFiles::AddWithPieces(const std::string & path, const Writer & write)
   const fs::path pieces = PiecesFolderOf(target);
   this->RequireNewName(target.string(), path);
   RequirePiecesAlone(pieces, path);
-  const fs::path  temporary = MakeTemporaryPath(target);
-  std::error_code error;
-  if (!fs::create_directory(temporary, error))
-  {
-    Refuse(path, error.message());
-  }
+  const fs::path temporary = MakeTemporaryFolder(target, path);
   m_TemporaryFolders.push_back(temporary.string());
   const std::string file = (temporary / target.filename()).string();
   Write(write, file, path);
@@ -237,6 +247,8 @@ OutputFiles::Write(const Writer & write, const std::string & temporaryPath, cons
 void
 OutputFiles::Commit()
 {
+  TemporaryFiles & temporaryFiles = TemporaryFiles::GetInstance();
+  const auto       lock = temporaryFiles.Hold();
   for (const File & file : m_Files)
   {
     std::error_code error;
@@ -250,6 +262,7 @@ OutputFiles::Commit()
     {
       Refuse(file.path, error.message());
     }
+    temporaryFiles.Forget(file.temporaryPath);
   }
   m_Files.clear();
   this->RemoveTemporaryFolders();

@@ -7,6 +7,7 @@
 #include "Shared/Images/ImageInput.h"
 
 #include "Shared/Images/ChosenStackImageIO.h"
+#include "Shared/Images/ImageHeaderCheck.h"
 #include "itkStackHDF5ImageIO.h"
 #include "itkStackImageIOFactory.h"
 
@@ -75,10 +76,12 @@ RequireFile(const std::string & path)
   {
     throw std::runtime_error("a folder, not an image");
   }
-  if (!std::filesystem::exists(itk::StackHDF5ImageIO::SplitPath(path).first))
+  const std::string file = itk::StackHDF5ImageIO::SplitPath(path).first;
+  if (!std::filesystem::exists(file))
   {
     throw std::runtime_error("no such file");
   }
+  RequireSoundHeader(file);
 }
 
 /** Throws where the options choose of a file what it has not. */
@@ -127,7 +130,7 @@ ReadHeader(itk::ImageIOBase * io, const ImageOptions & options)
 {
   try
   {
-    io->ReadImageInformation();
+    ByReader([io] { io->ReadImageInformation(); });
   }
   catch (const itk::ExceptionObject &)
   {
@@ -177,6 +180,7 @@ ChooseStack(itk::ImageIOBase * io, const ImageOptions & options)
 bool
 IsImageFile(const std::string & path)
 {
+  RequireSoundHeader(itk::StackHDF5ImageIO::SplitPath(path).first);
   return FindReader(path).IsNotNull();
 }
 
@@ -201,6 +205,7 @@ OpenImage(const std::string & path, const ImageOptions & options, ImageKind kind
   }
   io->SetFileName(path);
   ReadHeader(io, options);
+  RequireSoundGeometry(path, io, options.spacing.has_value());
   const itk::ImageIOBase::Pointer chosen = ChooseStack(io, options);
   RequireChannelAndFrame(chosen, options);
   return chosen;

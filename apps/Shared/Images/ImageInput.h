@@ -12,6 +12,8 @@
 #include <itkImageFileReader.h>
 #include <itkImageIOBase.h>
 
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,8 @@ enum class ImageKind
   Stain
 };
 
-/** Whether there is a reader for a file, of ITK's or of our own, by its first bytes or its name. */
+/** Whether there is a reader for a file, of ITK's or of our own, by its first bytes or its name. Throws as
+ * RequireSoundHeader(). */
 bool
 IsImageFile(const std::string & path);
 
@@ -62,6 +65,25 @@ FindHeaderWarnings(const itk::ImageIOBase * io, const ImageOptions & options);
 void
 ApplyVoxelSize(const itk::ImageIOBase * io, const ImageOptions & options, itk::ImageBase<3> * image);
 
+/** What a reader does; an exception that is none of the language's, as HDF5 has them, becomes a std::runtime_error. */
+template <typename TWork>
+void
+ByReader(const TWork & work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::exception &)
+  {
+    throw;
+  }
+  catch (...)
+  {
+    throw std::runtime_error("the file is cut off or broken: its reader gives up");
+  }
+}
+
 /** The image of a file that OpenImage() has opened. */
 template <typename TImage>
 typename TImage::Pointer
@@ -70,7 +92,7 @@ ReadImage(itk::ImageIOBase * io, const ImageOptions & options)
   const auto reader = itk::ImageFileReader<TImage>::New();
   reader->SetImageIO(io);
   reader->SetFileName(io->GetFileName());
-  reader->Update();
+  ByReader([&reader] { reader->Update(); });
   typename TImage::Pointer image = reader->GetOutput();
   image->DisconnectPipeline();
   ApplyVoxelSize(io, options, image);
