@@ -19,6 +19,7 @@ TEST(FieldSeparator, IsTheOneOfMostLinesOfOneNumberOfFields)
   EXPECT_EQ(FindSeparator("  x y   z\n 1  2 3  \n"), ' ');
   EXPECT_EQ(FindSeparator("Position X, Position Y, Position Z\n1, 2, 3\n"), ',');
   EXPECT_EQ(FindSeparator("a title; with; many; signs;\nx,y,z\n1,2,3\n"), ',');
+  EXPECT_EQ(FindSeparator("x|y|z\n1,5|2,5|3,5\n"), '|');
   EXPECT_EQ(FindSeparator("cell one,1,2,3\ncell two,1,2,3\n"), ',');
 }
 

@@ -44,7 +44,13 @@ TEST(PointColumnName, CoordinatesAsManyProgramsNameThem)
   {
     EXPECT_EQ(Parse(name), "x  0") << name;
   }
-  for (const std::string name : { "XM", "center_of_mass_x", "Center of Mass X", "CoM x", "AreaShape_Center_X" })
+  for (const std::string name : { "XM",
+                                  "center_of_mass_x",
+                                  "Center of Mass X",
+                                  "CoM x",
+                                  "AreaShape_Center_X",
+                                  "Center of Homogeneous Mass X",
+                                  "Center of Image Mass X" })
   {
     EXPECT_EQ(Parse(name), "x  1") << name;
   }
@@ -123,11 +129,13 @@ TEST(PointColumnName, AxesOfAnArrayLabelsAndTimes)
   EXPECT_EQ(RankLabelName("ObjectNumber"), 1);
   EXPECT_EQ(RankLabelName("labelimage_oid"), 1);
   EXPECT_FALSE(RankLabelName("label name"));
-  for (const std::string name : { "FRAME", "frame", "timepoint", "Time point", "timestep", "Spot frame", "t index" })
+  for (const std::string name :
+       { "FRAME", "frame", "timepoint", "Time point", "timestep", "Spot frame", "t index", "tp", "Metadata_Timepoint" })
   {
     EXPECT_EQ(RankFrameName(name), 0) << name;
   }
-  for (const std::string name : { "t", "Time", "POSITION_T", "Time [s]", "time_min", "t (sec)" })
+  for (const std::string name :
+       { "t", "Time", "POSITION_T", "Time [s]", "time_min", "t (sec)", "Metadata_T", "Slice_T", "hpf" })
   {
     EXPECT_EQ(RankFrameName(name), 1) << name;
   }

@@ -85,6 +85,18 @@ TEST(PointTable, LinesOfNamesAndUnitsAboveAndBelowBelongTogether)
   EXPECT_EQ(Refusal("x,y,z\nNA,NA,NA\n1,2,3\n"), "line 2: 'NA' in column 1 ('x') is no number");
 }
 
+TEST(PointTable, EdgesAndTracksOfTrackMateAreNoPoints)
+{
+  const std::string edges = "SPOT_SOURCE_ID,EDGE_X_LOCATION,EDGE_Y_LOCATION,EDGE_Z_LOCATION\nSource,X,Y,Z\n"
+                            "7,1.125,2.5,3\n8,4.25,5.75,6.5\n9,7,8.5,9.875\n";
+  EXPECT_EQ(Refusal(edges),
+            "line 1: the column 'SPOT_SOURCE_ID' is of TrackMate's table of edges, the points are in that of spots; "
+            "--columns X Y Z takes others all the same");
+  EXPECT_EQ(Read(edges, ByColumns({ "2", "3", "4" }, 3)).points, expected);
+  EXPECT_EQ(Refusal("LABEL,TRACK_X_LOCATION,TRACK_Y_LOCATION,TRACK_Z_LOCATION\nLabel,X,Y,Z\na,1,2,3\n").substr(0, 64),
+            "line 1: the column 'TRACK_X_LOCATION' is of TrackMate's table of");
+}
+
 TEST(PointTable, NamesInComments)
 {
   EXPECT_EQ(Read("# z y x\n3 2.5 1.125\n6.5 5.75 4.25\n9.875 8.5 7\n").points, expected);

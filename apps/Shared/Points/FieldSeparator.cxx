@@ -79,7 +79,7 @@ FindSeparator(const std::string & text)
 {
   char                                best = ',';
   std::pair<std::size_t, std::size_t> most{ 0, 0 };
-  for (const char separator : { '\t', ';', ',', ' ' })
+  for (const char separator : { '\t', ';', ',', '|', ' ' })
   {
     const auto lines = CountEqualLines(text, separator);
     if (lines > most)

@@ -11,7 +11,7 @@
 
 namespace tissue
 {
-/** \brief What separates the fields of a text: a tab, a semicolon, a comma or, as ' ', runs of blanks.
+/** \brief What separates the fields of a text: a tab, a semicolon, a comma, a bar or, as ' ', runs of blanks.
  *
  * The one by which the most lines have one number of fields, of three and more if there is any; where several do, the
  * first of this list, so that commas may be decimal signs between semicolons, and blanks be within fields. Separators

@@ -32,7 +32,8 @@ const std::string objects =
 const std::string centers =
   "(?:(?:bary[ _.-]?)?cent(?:er|re|roid|\\.)?|pos(?:ition)?|coord(?:inate)?s?|loc(?:ation)?|point)";
 
-const std::string massCenters = "(?:cent(?:er|re)[ _.-]?of[ _.-]?(?:mass|gravity)|com|cog|cm)";
+const std::string massCenters =
+  "(?:cent(?:er|re)[ _.-]?of[ _.-]?(?:(?:homogeneous|image)[ _.-]?)?(?:mass|gravity)|com|cog|cm)";
 
 /** In small letters; the sign of micro, one of two letters, as u, also where it was read in a wrong encoding before. */
 std::string
@@ -174,13 +175,13 @@ RankCellName(const std::string & name)
 std::optional<int>
 RankFrameName(const std::string & name)
 {
-  const std::string       of = "(?:(?:spot|cell|pos(?:ition)?)[ _])?";
+  const std::string       of = "(?:(?:spot|cell|pos(?:ition)?|metadata|slice)[ _])?";
   const std::string       unit = "(?: ?[(\\[][a-z. ]*[)\\]]|_(?:s|sec|seconds?|min|minutes?|h|hours?))?";
   static const std::regex frames(of +
-                                 "(?:frames?|time[ _-]?(?:points?|steps?|frames?|ind(?:ex|ices))|t[ _]index)"
+                                 "(?:frames?|tp|time[ _-]?(?:points?|steps?|frames?|ind(?:ex|ices))|t[ _]index)"
                                  "(?:[ _](?:id|idx|index|number|no\\.?|nr\\.?))?" +
                                  unit);
-  static const std::regex times(of + "(?:t|time)" + unit);
+  static const std::regex times(of + "(?:t|time|[hd]pf)" + unit);
   static const std::regex images("image[ _]?number");
   const std::string       text = name.size() <= longestName ? Normalize(name) : std::string();
   int                     rank = 0;

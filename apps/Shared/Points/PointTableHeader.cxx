@@ -246,13 +246,34 @@ FindFirstRow(const Records & records, const PointFileOptions & options)
   }
   return header;
 }
+/** TrackMate's tables of edges and tracks have means of spots, under the same short names as the spots.
+ * \throws std::runtime_error: one of these tables, of which no columns are chosen. */
+void
+RefuseEdgesAndTracks(const Records & records, const PointFileOptions & options)
+{
+  if (records.empty() || !options.columns.empty())
+  {
+    return;
+  }
+  for (const std::string & name : records.front().fields)
+  {
+    const bool isOfEdges = name == "EDGE_X_LOCATION" || name == "SPOT_SOURCE_ID";
+    if (isOfEdges || name == "TRACK_X_LOCATION")
+    {
+      throw std::runtime_error("line " + std::to_string(records.front().line) + ": the column " + QuoteName(name) +
+                               " is of TrackMate's table of " + (isOfEdges ? "edges" : "tracks") +
+                               ", the points are in that of spots; --columns X Y Z takes others all the same");
+    }
+  }
+}
 } // namespace
 
 PointTableHeader
 FindPointTableHeader(const DelimitedText & text, const PointFileOptions & options)
 {
   const Records & records = text.records;
-  const auto      isBefore = [&options](const DelimitedText::Record & record) {
+  RefuseEdgesAndTracks(records, options);
+  const auto isBefore = [&options](const DelimitedText::Record & record) {
     return options.firstLine == 0 || record.line < options.firstLine;
   };
   const auto end = std::find_if_not(records.begin(), records.end(), isBefore);

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 
 namespace tissue
 {
@@ -74,32 +72,46 @@ GeodesicSeeds::IndexOf(const VoxelIndex & voxel) const
 }
 
 void
-GeodesicSeeds::Add(const VoxelIndex & voxel)
+GeodesicSeeds::Reach(const Entry & entry)
 {
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-  const auto                                                          reach = [&](std::size_t i, double distance) {
-    if (distance < m_Distances[i])
-    {
-      m_Distances[i] = distance;
-      m_Seeds[i] = m_NumberOfSeeds;
-      open.emplace(distance, i);
-    }
-  };
-  reach(static_cast<std::size_t>(this->IndexOf(voxel)), 0.0);
-  while (!open.empty())
+  const auto [distance, seed, i] = entry;
+  if (distance < m_Distances[i] || (distance == m_Distances[i] && seed < m_Seeds[i]))
   {
-    const auto [distance, i] = open.top();
-    open.pop();
-    for (std::size_t s = 0; distance == m_Distances[i] && s < m_Lengths.size(); ++s)
+    m_Distances[i] = distance;
+    m_Seeds[i] = seed;
+    m_Open.push(entry);
+  }
+}
+
+void
+GeodesicSeeds::Spread(double limit)
+{
+  while (!m_Open.empty() && std::get<0>(m_Open.top()) <= limit)
+  {
+    const auto [distance, seed, i] = m_Open.top();
+    m_Open.pop();
+    for (std::size_t s = 0; distance == m_Distances[i] && seed == m_Seeds[i] && s < m_Lengths.size(); ++s)
     {
       if (m_Neighbors[i][s] != None)
       {
-        reach(static_cast<std::size_t>(m_Neighbors[i][s]), distance + m_Lengths[s]);
+        this->Reach({ distance + m_Lengths[s], seed, static_cast<std::size_t>(m_Neighbors[i][s]) });
       }
     }
   }
+}
+
+void
+GeodesicSeeds::Put(const VoxelIndex & voxel, double limit)
+{
+  this->Reach({ 0.0, m_NumberOfSeeds, static_cast<std::size_t>(this->IndexOf(voxel)) });
   ++m_NumberOfSeeds;
+  this->Spread(limit);
+}
+
+void
+GeodesicSeeds::Add(const VoxelIndex & voxel)
+{
+  this->Put(voxel, std::numeric_limits<double>::max());
 }
 
 void
@@ -108,10 +120,18 @@ GeodesicSeeds::Cover(const std::vector<VoxelIndex> & voxels)
   const VoxelIndex & first = FarthestFrom(m_Volume, voxels.front(), voxels);
   const VoxelIndex & last = FarthestFrom(m_Volume, first, voxels);
   const double       extent = Distance(PlaceOf(m_Volume, first), PlaceOf(m_Volume, last));
+  // Seeds that come one beside the other, as those of a row of rings do, would each take half of all that is left from
+  // those before, in a time that grows with the square of their number.
+  constexpr int    seedsThatSpreadAll = 16;
+  constexpr double extentsToSpread = 2.0;
+  const auto       limit = [&] {
+    return m_NumberOfSeeds < seedsThatSpreadAll ? std::numeric_limits<double>::max() : extentsToSpread * extent;
+  };
   if (m_NumberOfSeeds == 0)
   {
-    this->Add(first);
+    this->Put(first, limit());
   }
+  this->Spread(limit());
   while (true)
   {
     const auto farthest =
@@ -122,7 +142,13 @@ GeodesicSeeds::Cover(const std::vector<VoxelIndex> & voxels)
     {
       return;
     }
-    this->Add(*farthest);
+    this->Put(*farthest, limit());
   }
+}
+
+void
+GeodesicSeeds::Finish()
+{
+  this->Spread(std::numeric_limits<double>::max());
 }
 } // namespace tissue

@@ -10,6 +10,9 @@
 #include "Nerve/KuhnWall.h"
 
 #include <cstddef>
+#include <functional>
+#include <queue>
+#include <tuple>
 #include <unordered_map>
 
 namespace tissue
@@ -29,9 +32,14 @@ public:
   Add(const VoxelIndex & voxel);
 
   /** Puts seeds onto voxels of the region, each time the one that is the farthest from all seeds, until none is farther
-   * than half the largest distance between two of them: four on a disk, or a ring, and six on a sphere. */
+   * than half the largest distance between two of them: four on a disk, or a ring, and six on a sphere. After the
+   * first sixteen, seeds reach but twice that distance at first, and all that is beyond is as far. */
   void
   Cover(const std::vector<VoxelIndex> & voxels);
+
+  /** Lets the seeds reach the rest of the region; to be called after the last. */
+  void
+  Finish();
 
   int
   NumberOfSeeds() const
@@ -51,6 +59,19 @@ public:
   }
 
 private:
+  /** The distance of a voxel, its seed and its index: the order is that in which voxels are reached for good. */
+  using Entry = std::tuple<double, int, std::size_t>;
+
+  void
+  Reach(const Entry & entry);
+
+  /** Reaches all voxels up to a distance from their seeds. */
+  void
+  Spread(double limit);
+
+  void
+  Put(const VoxelIndex & voxel, double limit);
+
   double
   DistanceTo(const VoxelIndex & voxel) const
   {
@@ -66,10 +87,11 @@ private:
   std::vector<VoxelIndex>                        m_Region;
   std::unordered_map<std::int64_t, std::int32_t> m_IndexOf;
   /** In the region, by index and step. */
-  std::vector<std::array<std::int32_t, 14>> m_Neighbors;
-  std::vector<double>                       m_Distances;
-  std::vector<int>                          m_Seeds;
-  int                                       m_NumberOfSeeds = 0;
+  std::vector<std::array<std::int32_t, 14>>                           m_Neighbors;
+  std::vector<double>                                                 m_Distances;
+  std::vector<int>                                                    m_Seeds;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_Open;
+  int                                                                 m_NumberOfSeeds = 0;
 };
 } // namespace tissue
 

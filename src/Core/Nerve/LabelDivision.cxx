@@ -403,6 +403,7 @@ private:
     {
       seeds.Cover(surface.voxels);
     }
+    seeds.Finish();
     const auto & region = seeds.GetRegion();
     const auto   first = static_cast<VertexId>(m_RealOf.size());
     for (std::size_t i = 0; i < region.size(); ++i)

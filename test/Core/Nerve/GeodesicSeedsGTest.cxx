@@ -94,3 +94,37 @@ TEST(GeodesicSeeds, HaveConnectedParts)
     EXPECT_TRUE(FindFragments(parts, 1 + seeds.NumberOfSeeds()).fragments.empty()) << seed;
   }
 }
+
+TEST(GeodesicSeeds, CoverARowOfSurfacesWithAsManyEach)
+{
+  // Those past the sixteenth seed do not spread over all of the bar at once.
+  constexpr std::int32_t length = 400;
+  const LabelVolume      volume =
+    MakeImage({ { length, 6, 6 } }, [](std::int32_t, std::int32_t, std::int32_t) { return VertexId{ 1 }; });
+  const auto    voxels = VoxelsOf(volume, 1);
+  GeodesicSeeds seeds(volume, voxels);
+  for (std::int32_t x = 0; x < length; x += 20)
+  {
+    const int               before = seeds.NumberOfSeeds();
+    std::vector<VoxelIndex> surface;
+    for (const VoxelIndex & p : voxels)
+    {
+      if (p[0] >= x && p[0] < x + 10 && p[2] == 0)
+      {
+        surface.push_back(p);
+      }
+    }
+    seeds.Cover(surface);
+    EXPECT_GE(seeds.NumberOfSeeds() - before, 1) << x;
+    EXPECT_LE(seeds.NumberOfSeeds() - before, 4) << x;
+  }
+  seeds.Finish();
+  LabelVolume parts = volume;
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    const VoxelIndex & p = voxels[i];
+    ASSERT_NE(seeds.SeedOf(i), GeodesicSeeds::None);
+    parts.vertices.Put(static_cast<std::size_t>((p[2] * 6 + p[1]) * length + p[0]), 1 + seeds.SeedOf(i));
+  }
+  EXPECT_TRUE(FindFragments(parts, 1 + seeds.NumberOfSeeds()).fragments.empty());
+}
