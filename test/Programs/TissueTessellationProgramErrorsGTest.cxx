@@ -49,6 +49,28 @@ TEST_F(TissueTessellationAppErrors, FilesThatAreNoImages)
   this->ExpectRefusal("empty.mha walls.vtp", { "empty.mha: not an image" });
 }
 
+TEST_F(TissueTessellationAppErrors, PlacesThatNoImageCanHave)
+{
+  const auto write = [this](const std::string & line) {
+    this->WriteLines("a.mha",
+                     "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\n" + line +
+                       "\nElementDataFile = LOCAL\n" + std::string(64, '\1'));
+  };
+  for (const char * line : { "Offset = 1e308 0 0",
+                             "Offset = 0 0 2e9",
+                             "Offset = 0 -2e12 0\nElementSpacing = 1e6 1e6 1e6",
+                             "TransformMatrix = 1e9 0 0 0 1 0 0 0 1" })
+  {
+    write(line);
+    this->ExpectRefusal("a.mha walls.vtp", { "a.mha: the header has an origin, " });
+  }
+  for (const char * line : { "ElementSpacing = 0 1 1", "ElementSpacing = 1 1 1e300", "ElementSpacing = 1 -1 1" })
+  {
+    write(line);
+    this->ExpectRefusal("a.mha walls.vtp", { "a.mha: " });
+  }
+}
+
 TEST_F(TissueTessellationAppErrors, FilesThatAreCutOff)
 {
   this->WriteTissue<unsigned short>("a.mha");

@@ -58,6 +58,27 @@ IsSoundSpacing(double spacing)
 {
   return spacing >= 1e-12 && spacing <= 1e12;
 }
+
+/** Beyond these the voxels of an image have no places of their own. */
+void
+RequireSoundPlace(const itk::ImageIOBase * io, unsigned int axis)
+{
+  constexpr double mostVoxels = 1e9;
+  constexpr double most = 1e12;
+  const double     origin = std::abs(io->GetOrigin(axis));
+  bool             isSound = origin <= most && !(origin > mostVoxels * std::abs(io->GetSpacing(axis)));
+  for (const double component : io->GetDirection(axis))
+  {
+    isSound = isSound && std::abs(component) <= 2.0;
+  }
+  if (!isSound)
+  {
+    std::ostringstream text;
+    text << "the header has an origin, " << io->GetOrigin(axis) << " along axis " << axis
+         << ", or a direction that no image can have: at most 1e+12, and 1e+09 voxels, and unit vectors";
+    throw std::runtime_error(text.str());
+  }
+}
 } // namespace
 
 void
@@ -97,15 +118,7 @@ RequireSoundGeometry(const std::string & path, const itk::ImageIOBase * io, bool
            << ", must be in 1e-12 .. 1e+12; --spacing X Y Z gives the voxel size";
       throw std::runtime_error(text.str());
     }
-    bool isNumber = std::isfinite(io->GetOrigin(axis));
-    for (const double component : io->GetDirection(axis))
-    {
-      isNumber = isNumber && std::isfinite(component);
-    }
-    if (!isNumber)
-    {
-      throw std::runtime_error("the header has an origin or a direction that is no number");
-    }
+    RequireSoundPlace(io, axis);
   }
   if (IsDeflatedAtMost(io))
   {

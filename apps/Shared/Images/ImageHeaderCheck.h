@@ -23,7 +23,8 @@ RequireSoundHeader(const std::string & path);
 /** \brief Throws std::runtime_error where a header that has been read promises what cannot be.
  *
  * An axis of no voxel, more bytes than the file, and those it names, can hold compressed; a voxel whose size is not in
- * 1e-12 .. 1e12, which the user's own may replace, or a place that is no number. */
+ * 1e-12 .. 1e12, which the user's own may replace, an origin beyond 1e12 or 1e9 voxels, or directions that are no unit
+ * vectors by far. */
 void
 RequireSoundGeometry(const std::string & path, const itk::ImageIOBase * io, bool hasOwnSpacing);
 } // namespace tissue
