@@ -200,6 +200,7 @@ ListFiles(const std::string & path, const std::string & value, HeaderLines & lin
   }
   return files;
 }
+
 /** MetaIO takes as much memory as is said, whatever there is. */
 void
 RequireCompressedSize(const Fields & fields, const std::vector<fs::path> & files)
@@ -207,7 +208,14 @@ RequireCompressedSize(const Fields & fields, const std::vector<fs::path> & files
   const auto field = fields.find("CompressedDataSize");
   if (field != fields.end() && !files.empty())
   {
-    ReadWholeNumbers(field->first, field->second, 1, 0, static_cast<std::int64_t>(fs::file_size(files.front())));
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    const std::int64_t     size = ReadWholeNumbers(field->first, field->second, 1, 0, most).front();
+    const auto             found = static_cast<std::int64_t>(fs::file_size(files.front()));
+    if (size > found)
+    {
+      throw std::runtime_error("the file is cut off or broken: it holds " + std::to_string(found) +
+                               " bytes, its header has CompressedDataSize = " + std::to_string(size));
+    }
   }
 }
 } // namespace
