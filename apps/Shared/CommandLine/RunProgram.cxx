@@ -68,6 +68,7 @@ ReturnLargeArrays()
   mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
 #endif
 }
+
 /** Ends the program without the ends of libraries: HDF5 tries in vain to close what it could not read, and says so. */
 [[noreturn]] void
 EndAfterError(const std::string & name, const std::string & message, int exitCode)

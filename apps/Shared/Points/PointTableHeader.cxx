@@ -246,6 +246,7 @@ FindFirstRow(const Records & records, const PointFileOptions & options)
   }
   return header;
 }
+
 /** TrackMate's tables of edges and tracks have means of spots, under the same short names as the spots.
  * \throws std::runtime_error: one of these tables, of which no columns are chosen. */
 void

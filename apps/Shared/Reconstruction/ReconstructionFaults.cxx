@@ -89,10 +89,10 @@ CollectFaults(const ReconstructionReport & report)
   {
     faults.push_back(std::to_string(crossingPairs) + " pairs of triangles of the mesh cross");
   }
-  std::vector<VertexId> notFitted = report.GetReconstruction().fitting.cellsNotFitted;
-  notFitted.erase(std::unique(notFitted.begin(), notFitted.end()), notFitted.end());
   if (report.GetReconstruction().fitting.isEmbedded)
   {
+    std::vector<VertexId> notFitted = report.GetReconstruction().fitting.cellsNotFitted;
+    notFitted.erase(std::unique(notFitted.begin(), notFitted.end()), notFitted.end());
     addCells(notFitted, "could not be fitted to the image, so that all walls are those of its voxels, and rough");
   }
   const auto volumes = MeasureVolumeErrors(report);

@@ -163,6 +163,39 @@ EmbedWalls(const TissueComplex & complex, const TissueCells & cells, const Label
   return tuples;
 }
 
+/** Whether the walls of the voxels are not too many triangles; takes a pass over the voxels. */
+bool
+MayEmbed(const TissueComplex & complex, std::size_t numberOfCells, const LabelVolume & volume)
+{
+  return CountEmbeddedTriangles(VolumeOf(complex, volume), complex.cellOf) <=
+         MostEmbeddedTriangles + MostEmbeddedTrianglesPerCell * static_cast<std::int64_t>(numberOfCells);
+}
+
+/** The cells for which the walls of an image are not worth fitting: all of one of noise, and specks. */
+std::vector<VertexId>
+FindCellsNotToFit(const TissueComplex & complex, const JunctionSet & junctions)
+{
+  if (!IsNoise(complex, junctions.walls))
+  {
+    return FindSpecks(junctions.cells);
+  }
+  std::vector<VertexId> cells(junctions.cells.size() - 1);
+  std::iota(cells.begin(), cells.end(), ExteriorVertex + 1);
+  return cells;
+}
+
+/** The cells whose fitted walls cross, or that are inside out, each as often as that is so; none where they are few. */
+std::vector<VertexId>
+FindCellsNotFitted(const TissueReconstruction & result, std::size_t numberOfCells)
+{
+  std::vector<VertexId> places = result.fitting.cellsNotFitted;
+  AddInvertedCells(result.walls, numberOfCells, places);
+  std::vector<VertexId> cells = places;
+  SortUnique(cells);
+  const bool areFew = static_cast<double>(cells.size()) < MostShareNotFitted * static_cast<double>(numberOfCells);
+  return areFew ? std::vector<VertexId>() : places;
+}
+
 /** Fits the walls to the image, or takes those of its voxels, where the complex is from the image: where fitted ones
  * cross or turn cells inside out, more than a few, and in an image of specks. Returns what touches what. */
 AdjacencyTuples
@@ -170,33 +203,19 @@ MakeWallsOfImage(TissueComplex & complex, const TissueCells & cells, const Label
                  const ReconstructionParameters & parameters, TissueReconstruction & result,
                  const Execution & execution)
 {
-  const std::vector<Cell> & all = cells.junctions.cells;
-  const bool                mayEmbed = parameters.source == ComplexSource::Image &&
-                        CountEmbeddedTriangles(VolumeOf(complex, volume), complex.cellOf) <=
-                          MostEmbeddedTriangles + MostEmbeddedTrianglesPerCell * static_cast<std::int64_t>(all.size());
-  std::vector<VertexId> notFitted = mayEmbed ? FindSpecks(all) : std::vector<VertexId>();
-  if (mayEmbed && IsNoise(complex, cells.junctions.walls))
-  {
-    notFitted.resize(all.size() - 1);
-    std::iota(notFitted.begin(), notFitted.end(), ExteriorVertex + 1);
-  }
-  if (notFitted.empty())
+  const std::size_t     numberOfCells = cells.junctions.cells.size();
+  const bool            isOfImage = parameters.source == ComplexSource::Image;
+  std::vector<VertexId> notFitted = isOfImage ? FindCellsNotToFit(complex, cells.junctions) : std::vector<VertexId>();
+  if (notFitted.empty() || !MayEmbed(complex, numberOfCells, volume))
   {
     result.walls = MakeFittedWalls(complex, cells, volume, parameters, result.fitting, execution);
-    if (mayEmbed)
+    notFitted = isOfImage ? FindCellsNotFitted(result, numberOfCells) : std::vector<VertexId>();
+    if (notFitted.empty() || !MayEmbed(complex, numberOfCells, volume))
     {
-      notFitted = result.fitting.cellsNotFitted;
-      AddInvertedCells(result.walls, all.size(), notFitted);
-      std::vector<VertexId> cellsNotFitted = notFitted;
-      SortUnique(cellsNotFitted);
-      if (static_cast<double>(cellsNotFitted.size()) < MostShareNotFitted * static_cast<double>(all.size()))
-      {
-        notFitted.clear();
-      }
+      return complex.tuples;
     }
   }
-  return notFitted.empty() ? complex.tuples
-                           : EmbedWalls(complex, cells, volume, parameters, std::move(notFitted), result);
+  return EmbedWalls(complex, cells, volume, parameters, std::move(notFitted), result);
 }
 
 /** Names the cells whose volume is far from that in the image, and those with handles that were not known of. */

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 #include <numeric>
+#include <set>
 
 using namespace tissue;
 
